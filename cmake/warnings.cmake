@@ -1,0 +1,9 @@
+# The flags that every target of the project, and none of its users, is built with.
+add_library(sinew_flags INTERFACE)
+target_compile_options(sinew_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers)
+# The same bytes on every machine: no fused multiply-add behind the code's back.
+target_compile_options(sinew_flags INTERFACE -ffp-contract=off)
+if(SINEW_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -O1 -g1)
+    add_link_options(-fsanitize=address,undefined)
+endif()

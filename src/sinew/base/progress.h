@@ -1,0 +1,38 @@
+/// @file progress.h
+/// Progress and cancellation, passed explicitly to whatever can take long.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string_view>
+
+#include "sinew/base/result.h"
+
+namespace sinew {
+
+/// A cheap value: copy it freely. The default one reports to nobody and never stops.
+class Progress {
+  public:
+    /// Called with the share done in [0, 1] and the name of the stage, from the thread that works.
+    using Report = std::function<void(double share, std::string_view stage)>;
+
+    Progress() = default;
+    /// @param report   may be empty
+    /// @param cancel   set it from any thread to stop the work; may be null; must outlive the work
+    explicit Progress(Report report, const std::atomic<bool>* cancel = nullptr)
+        : report_(std::move(report)), cancel_(cancel) {}
+
+    void operator()(double share, std::string_view stage) const {
+        if (report_) report_(share, stage);
+    }
+    bool cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
+
+    /// What a function returns once it finds cancelled() true.
+    static tl::unexpected<Error> stopped() { return fail(ErrorKind::cancelled, "stopped on request"); }
+
+  private:
+    Report report_;
+    const std::atomic<bool>* cancel_ = nullptr;
+};
+
+}  // namespace sinew

@@ -1,0 +1,16 @@
+#include "sinew/base/result.h"
+
+#include <fmt/format.h>
+
+namespace sinew {
+
+std::string Error::text() const {
+    std::string place = file;
+    if (line > 0) place += fmt::format(":{}", line);
+    if (!place.empty()) place += ": ";
+    if (!path.empty()) place += path + ": ";
+    if (node) place += fmt::format("node {}: ", *node);
+    return place + message + (cure.empty() ? "" : "; " + cure);
+}
+
+}  // namespace sinew

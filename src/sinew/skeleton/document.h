@@ -1,0 +1,65 @@
+/// @file document.h
+/// The skeleton as a person drew it or an instrument measured it: nodes with types, bones, links and symmetry.
+///
+/// Plain data. Nothing here is checked: validate.h says whether a document makes sense, condition.h repairs a measured
+/// one, extend turns it into what the mesher takes. Lengths are in the document's own unit, angles in degrees.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sinew/base/vec.h"
+
+namespace sinew {
+
+/// What a node makes of the surface around it. cone, hemisphere and negative are for leaves.
+enum class NodeType : std::uint8_t { sphere, cone, hemisphere, cube, negative, ball };
+
+/// The outline across a bone.
+enum class Section : std::uint8_t { round, rectangular };
+
+/// `joint` at and above this value is infinitely sharp; "sharp" in a file.
+inline constexpr double infinitely_sharp = std::numeric_limits<double>::infinity();
+
+struct Node {
+    std::int64_t id = 0;       ///< unique and non-negative in its document
+    std::int32_t parent = -1;  ///< index (not id) of the parent in Document::nodes; -1 for a root
+    Vec3 position = Vec3::Zero();
+    double radius = 1;  ///< > 0
+    NodeType type = NodeType::sphere;
+    Section section = Section::round;
+    /// Width and height of the section as factors of the radius; the third is used by balls and lone nodes only.
+    std::array<double, 3> scale{1, 1, 1};
+    std::optional<Vec3> size;      ///< full extents of a cube; default: twice the radius each
+    double roll = 0;               ///< degrees about the bone
+    std::optional<Quat> rotation;  ///< for a cube or a ball at a branch or a root
+    double joint = 0;              ///< sharpness of the ring here: 0 smooth; >= 10 infinitely sharp
+};
+
+/// The symmetry that is expanded when the document is skinned: the nodes drawn stand for their images too.
+struct Symmetry {
+    enum class Kind : std::uint8_t { none, mirror, radial };
+    Kind kind = Kind::none;
+    int axis = 0;   ///< 0, 1, 2 for x, y, z: the mirror plane's normal (through the origin), or the axis of rotation
+    int count = 1;  ///< radial: how many images, the drawn one included; >= 2
+
+    bool operator==(const Symmetry&) const = default;
+};
+
+struct Document {
+    std::string unit;  ///< "m", "mm", "um" ...; empty where it is unknown
+    Symmetry symmetry;
+    std::vector<Node> nodes;
+    std::vector<std::array<std::int32_t, 2>> links;  ///< more bones, as pairs of node indices: they close cycles
+
+    // Side tables: empty, or one entry a node.
+    std::vector<std::string> names;
+    std::vector<std::string> extras;  ///< keys of the node that this version does not know, as JSON object text
+    std::string extra;                ///< the same for the document itself
+};
+
+}  // namespace sinew
