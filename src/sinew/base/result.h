@@ -25,10 +25,11 @@ struct Error {
     std::string cure;                  ///< what to do, likewise; may be empty
     std::string file;                  ///< file name as the user gave it
     std::int64_t line = 0;             ///< 1-based line, 0 where it is unknown
+    std::int64_t column = 0;           ///< 1-based column in that line (bytes), 0 where it is unknown
     std::string path;                  ///< JSON pointer, such as /nodes/3/radius
     std::optional<std::int64_t> node;  ///< id of the node as the file has it
 
-    /// One line for people: `file:line: path: node 7: message; cure`, without the parts that are unknown.
+    /// One line for people: `file:line:column: path: node 7: message; cure`, without the parts that are unknown.
     std::string text() const;
 };
 
