@@ -1,8 +1,10 @@
 /// @file document.h
-/// The skeleton as a person drew it or an instrument measured it: nodes with types, bones, links and symmetry.
+/// The skeleton as a person drew it or an instrument measured it: nodes with types, bones, links and
+/// symmetry.
 ///
-/// Plain data. Nothing here is checked: validate.h says whether a document makes sense, condition.h repairs a measured
-/// one, extend turns it into what the mesher takes. Lengths are in the document's own unit, angles in degrees.
+/// Plain data. Nothing here is checked: validate.h says whether a document makes sense, condition.h repairs a
+/// measured one, extend turns it into what the mesher takes. Lengths are in the document's own unit, angles
+/// in degrees.
 #pragma once
 
 #include <array>
@@ -25,6 +27,19 @@ enum class Section : std::uint8_t { round, rectangular };
 /// `joint` at and above this value is infinitely sharp; "sharp" in a file.
 inline constexpr double infinitely_sharp = std::numeric_limits<double>::infinity();
 
+/// Keys that a file spelled out although their value is the default, and how. Saving repeats them, so that a
+/// document goes through load and save unchanged; nothing else depends on them.
+struct GivenKeys {
+    bool name : 1 = false;
+    bool type : 1 = false;
+    bool section : 1 = false;
+    bool scale : 1 = false;
+    bool scale_of_three : 1 = false;  ///< scale had its third entry
+    bool roll : 1 = false;
+    bool joint : 1 = false;
+    bool joint_in_words : 1 = false;  ///< "smooth", not 0
+};
+
 struct Node {
     std::int64_t id = 0;       ///< unique and non-negative in its document
     std::int32_t parent = -1;  ///< index (not id) of the parent in Document::nodes; -1 for a root
@@ -32,19 +47,23 @@ struct Node {
     double radius = 1;  ///< > 0
     NodeType type = NodeType::sphere;
     Section section = Section::round;
-    /// Width and height of the section as factors of the radius; the third is used by balls and lone nodes only.
+    /// Width and height of the section as factors of the radius; the third is used by balls and lone nodes
+    /// only.
     std::array<double, 3> scale{1, 1, 1};
-    std::optional<Vec3> size;      ///< full extents of a cube; default: twice the radius each
-    double roll = 0;               ///< degrees about the bone
-    std::optional<Quat> rotation;  ///< for a cube or a ball at a branch or a root
-    double joint = 0;              ///< sharpness of the ring here: 0 smooth; >= 10 infinitely sharp
+    std::optional<Vec3> size;  ///< full extents of a cube; default: twice the radius each
+    double roll = 0;           ///< degrees about the bone
+    std::optional<Quat>
+        rotation;      ///< for a cube or a ball at a branch or a root; as given: normalise before use
+    double joint = 0;  ///< sharpness of the ring here: 0 smooth; >= 10 infinitely sharp
+    GivenKeys given;
 };
 
 /// The symmetry that is expanded when the document is skinned: the nodes drawn stand for their images too.
 struct Symmetry {
     enum class Kind : std::uint8_t { none, mirror, radial };
     Kind kind = Kind::none;
-    int axis = 0;   ///< 0, 1, 2 for x, y, z: the mirror plane's normal (through the origin), or the axis of rotation
+    int axis =
+        0;  ///< 0, 1, 2 for x, y, z: the mirror plane's normal (through the origin), or the axis of rotation
     int count = 1;  ///< radial: how many images, the drawn one included; >= 2
 
     bool operator==(const Symmetry&) const = default;
@@ -54,12 +73,18 @@ struct Document {
     std::string unit;  ///< "m", "mm", "um" ...; empty where it is unknown
     Symmetry symmetry;
     std::vector<Node> nodes;
-    std::vector<std::array<std::int32_t, 2>> links;  ///< more bones, as pairs of node indices: they close cycles
+    std::vector<std::array<std::int32_t, 2>>
+        links;  ///< more bones, as pairs of node indices: they close cycles
 
     // Side tables: empty, or one entry a node.
     std::vector<std::string> names;
-    std::vector<std::string> extras;  ///< keys of the node that this version does not know, as JSON object text
-    std::string extra;                ///< the same for the document itself
+    std::vector<std::string>
+        extras;  ///< keys of the node that this version does not know, as JSON object text
+
+    std::string
+        extra;  ///< the same for the document itself; those inside `symmetry` stand in a "symmetry" of it
+    bool unit_given = false;   ///< the file has the key "unit", though empty
+    bool links_given = false;  ///< the file has the key "links", though empty
 };
 
 }  // namespace sinew

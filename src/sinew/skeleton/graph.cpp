@@ -1,6 +1,7 @@
 #include "sinew/skeleton/graph.h"
 
 #include <numeric>
+#include <utility>
 
 namespace sinew {
 
@@ -44,6 +45,33 @@ GraphCounts count_graph(std::int32_t node_count, std::span<const Bone> bones) {
         }
     }
     return counts;
+}
+
+SpanningForest spanning_forest(std::int32_t node_count, std::span<const Bone> bones,
+                               std::span<const std::int32_t> roots) {
+    const Adjacency around = adjacency(node_count, bones);
+    SpanningForest forest;
+    forest.parent.assign(node_count, -1);
+    std::vector<char> reached(node_count, 0), used(bones.size(), 0);
+    std::vector<std::int32_t> queue;
+    queue.reserve(node_count);
+    auto grow = [&](std::int32_t root) {
+        if (std::exchange(reached[root], 1)) return;
+        queue.assign(1, root);
+        for (std::size_t head = 0; head < queue.size(); ++head)
+            for (std::int32_t b : around.bones(queue[head])) {
+                const std::int32_t next = bones[b][0] == queue[head] ? bones[b][1] : bones[b][0];
+                if (std::exchange(reached[next], 1)) continue;
+                forest.parent[next] = queue[head];
+                used[b] = 1;
+                queue.push_back(next);
+            }
+    };
+    for (std::int32_t root : roots) grow(root);
+    for (std::int32_t node = 0; node < node_count; ++node) grow(node);
+    for (std::int32_t b = 0; b < std::ssize(bones); ++b)
+        if (!used[b]) forest.rest.push_back(b);
+    return forest;
 }
 
 }  // namespace sinew

@@ -35,4 +35,13 @@ struct GraphCounts {
 };
 GraphCounts count_graph(std::int32_t node_count, std::span<const Bone> bones);
 
+/// Trees that span a graph, one a component.
+struct SpanningForest {
+    std::vector<std::int32_t> parent;  ///< of each node; -1 for roots
+    std::vector<std::int32_t> rest;    ///< bones that no tree uses, ascending: each closes a cycle
+};
+/// Breadth first from each of `roots` in their order, then from the lowest node that was not reached yet.
+SpanningForest spanning_forest(std::int32_t node_count, std::span<const Bone> bones,
+                               std::span<const std::int32_t> roots = {});
+
 }  // namespace sinew
