@@ -30,13 +30,15 @@ struct SkinOptions {
 struct Skin {
     QuadMesh mesh;
     std::int64_t components = 0;  ///< of the conditioned skeleton
-    std::int64_t cycles = 0;      ///< of the conditioned skeleton: the Euler number is 2 components - 2 cycles
-    std::int64_t irregular = 0;   ///< at most this many vertices of a valence other than 4: sum of 2 (degree - 2), and the poles
-    Warnings warnings;            ///< what conditioning did and what could not be done as drawn
+    std::int64_t cycles = 0;  ///< of the conditioned skeleton: the Euler number is 2 components - 2 cycles
+    std::int64_t irregular =
+        0;  ///< at most this many vertices of a valence other than 4: sum of 2 (degree - 2), and the poles
+    Warnings warnings;  ///< what conditioning did and what could not be done as drawn
 };
 
-/// Skins a document. Fails for a document that validate() refuses, for a node type that this version cannot skin, and
-/// when it is stopped. The same document gives the same bytes on every run, machine and number of threads.
+/// Skins a document. Fails for a document that validate() refuses, for a node type that this version cannot
+/// skin, and when it is stopped. The same document gives the same bytes on every run, machine and number of
+/// threads.
 Result<Skin> skin(const Document& document, const SkinOptions& options = {}, const Progress& progress = {});
 
 }  // namespace sinew

@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "sinew/extend/extend.h"
+
+namespace sinew {
+namespace {
+
+/// Images of all nodes under the reflection of one axis; empty if one has none.
+class MirrorSearch {
+  public:
+    MirrorSearch(const Plain& skeleton, int axis) : s_(skeleton), axis_(axis) {}
+
+    std::vector<std::int32_t> run() {
+        if (!extent_is_even()) return {};
+        sort_nodes();
+        std::vector<std::int32_t> image;
+        for (std::int32_t i = 0; i < s_.node_count(); ++i) {
+            const std::int32_t j = find(key(i, true));
+            if (j < 0) return {};
+            image.push_back(j);
+        }
+        return bones_follow(image) ? image : std::vector<std::int32_t>{};
+    }
+
+  private:
+    using Key = std::array<double, 5>;
+    Key key(std::int32_t i, bool reflected) const {
+        Vec3 p = s_.position[i];
+        if (reflected) p[axis_] = -p[axis_];
+        return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0, s_.radius[i], static_cast<double>(s_.cap[i])};
+    }
+    /// Most skeletons are found out at once.
+    bool extent_is_even() const {
+        double low = 0, high = 0;
+        for (const Vec3& p : s_.position) low = std::min(low, p[axis_]), high = std::max(high, p[axis_]);
+        return low == -high && high > 0;
+    }
+    void sort_nodes() {
+        order_.resize(s_.position.size());
+        std::iota(order_.begin(), order_.end(), 0);
+        std::sort(order_.begin(), order_.end(),
+                  [&](auto a, auto b) { return key(a, false) < key(b, false); });
+    }
+    /// The one node with a key; -1 if there is none, or more than one, which could not be told apart.
+    std::int32_t find(const Key& wanted) const {
+        const auto at = std::lower_bound(order_.begin(), order_.end(), wanted,
+                                         [&](std::int32_t i, const Key& k) { return key(i, false) < k; });
+        if (at == order_.end() || key(*at, false) != wanted) return -1;
+        return at + 1 != order_.end() && key(at[1], false) == wanted ? -1 : *at;
+    }
+    bool bones_follow(const std::vector<std::int32_t>& image) const {
+        const auto sorted = [](std::vector<Bone> bones) {
+            for (Bone& b : bones)
+                if (b[0] > b[1]) std::swap(b[0], b[1]);
+            std::sort(bones.begin(), bones.end());
+            return bones;
+        };
+        std::vector<Bone> images;
+        for (const Bone& b : s_.bones) images.push_back({image[b[0]], image[b[1]]});
+        return sorted(s_.bones) == sorted(std::move(images));
+    }
+
+    const Plain& s_;
+    int axis_;
+    std::vector<std::int32_t> order_;
+};
+
+}  // namespace
+
+Automorphism find_mirror(const Plain& skeleton) {
+    Automorphism mirror;
+    for (int axis = 0; axis < 3; ++axis) {
+        mirror.image = MirrorSearch(skeleton, axis).run();
+        if (mirror.image.empty()) continue;
+        mirror.order = 2;
+        mirror.generator(axis, axis) = -1;
+        return mirror;
+    }
+    return {};
+}
+
+}  // namespace sinew

@@ -1,0 +1,262 @@
+#include "sinew/skeleton/condition.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <queue>
+
+namespace sinew {
+namespace {
+
+/// A graph under repair: nodes point at the node they were merged into, bones at the source bone they stand
+/// for.
+class Repair {
+  public:
+    Repair(const Document& document, const ConditionOptions& options)
+        : document_(document), options_(options), bones_(bones_of(document)), merged_(document.nodes.size()) {
+        std::iota(merged_.begin(), merged_.end(), 0);
+        source_.resize(bones_.size());
+        std::iota(source_.begin(), source_.end(), 0);
+    }
+
+    CleanGraph run() {
+        merge_bones_of_no_length();
+        drop_duplicates();
+        if (options_.repair) {
+            merge_nested();
+            drop_duplicates();
+            thin_runs();
+        }
+        return compact();
+    }
+
+  private:
+    const Vec3& position(std::int32_t i) const { return document_.nodes[i].position; }
+    double radius(std::int32_t i) const { return document_.nodes[i].radius; }
+    double distance(std::int32_t a, std::int32_t b) const { return (position(a) - position(b)).norm(); }
+    std::int32_t root(std::int32_t i) {
+        while (merged_[i] != i) i = merged_[i] = merged_[merged_[i]];
+        return i;
+    }
+
+    void warn(std::string_view what, std::int64_t count, std::vector<std::int64_t> nodes = {}) {
+        if (count > 0) warnings_.push_back({fmt::format("{} {}", count, what), count, std::move(nodes)});
+    }
+    void note(std::vector<std::int64_t>& nodes, std::int32_t i) const {
+        if (nodes.size() < 16) nodes.push_back(document_.nodes[i].id);
+    }
+
+    /// The larger ball stays; of equal ones that of the lower index.
+    void merge(std::int32_t a, std::int32_t b) {
+        const bool keep_a = radius(a) != radius(b) ? radius(a) > radius(b) : a < b;
+        merged_[keep_a ? b : a] = keep_a ? a : b;
+    }
+
+    void merge_bones_of_no_length() {
+        std::int64_t count = 0;
+        std::vector<std::int64_t> nodes;
+        for (const Bone& bone : bones_) {
+            const std::int32_t a = root(bone[0]), b = root(bone[1]);
+            if (a == b || distance(a, b) > 1e-9 * std::max(radius(a), radius(b))) continue;
+            merge(a, b);
+            note(nodes, bone[1]);
+            ++count;
+        }
+        warn("bones of no length were merged", count, std::move(nodes));
+    }
+
+    void drop_duplicates() {
+        std::vector<std::array<std::int32_t, 3>> order;
+        for (std::int32_t i = 0; i < std::ssize(bones_); ++i) {
+            for (std::int32_t& end : bones_[i]) end = root(end);
+            const auto [low, high] = std::minmax(bones_[i][0], bones_[i][1]);
+            if (low != high) order.push_back({low, high, i});
+        }
+        std::sort(order.begin(), order.end());
+        const auto first = order.begin();
+        const auto last = std::unique(order.begin(), order.end(),
+                                      [](auto& a, auto& b) { return a[0] == b[0] && a[1] == b[1]; });
+        warn("duplicate bones were dropped", order.end() - last);
+        std::vector<std::int32_t> kept;
+        for (auto it = first; it != last; ++it) kept.push_back((*it)[2]);
+        std::sort(kept.begin(), kept.end());
+        std::vector<Bone> bones;
+        std::vector<std::int32_t> source;
+        for (const std::int32_t i : kept) bones.push_back(bones_[i]), source.push_back(source_[i]);
+        bones_ = std::move(bones);
+        source_ = std::move(source);
+    }
+
+    bool too_close(std::int32_t a, std::int32_t b, bool crowded) const {
+        const double d = distance(a, b), large = std::max(radius(a), radius(b)),
+                     small = std::min(radius(a), radius(b));
+        return d + small <= options_.nested * large || (crowded && d < options_.together * large);
+    }
+
+    /// Merges along bones, each node's neighbours kept as a list; never where both ends have a neighbour in
+    /// common, which would close a cycle up.
+    void merge_nested() {
+        const auto count = static_cast<std::int32_t>(document_.nodes.size());
+        std::vector<std::vector<std::int32_t>> neighbours(count);
+        for (const Bone& bone : bones_) {
+            neighbours[bone[0]].push_back(bone[1]);
+            neighbours[bone[1]].push_back(bone[0]);
+        }
+        std::int64_t merged = 0;
+        std::vector<std::int64_t> nodes;
+        std::vector<std::int32_t> pending(count);
+        std::iota(pending.rbegin(), pending.rend(), 0);
+        while (!pending.empty()) {
+            const std::int32_t at = pending.back();
+            pending.pop_back();
+            if (root(at) != at) continue;
+            for (const std::int32_t next : std::vector<std::int32_t>(neighbours[at])) {
+                const bool crowded = neighbours[at].size() > 2 || neighbours[next].size() > 2;
+                if (!too_close(at, next, crowded) || have_common(neighbours[at], neighbours[next])) continue;
+                merge(at, next);
+                const std::int32_t stays = root(at), goes = stays == at ? next : at;
+                join(neighbours, stays, goes);
+                note(nodes, goes);
+                ++merged;
+                pending.push_back(stays);
+                break;
+            }
+        }
+        warn("nodes inside a neighbour's ball were merged into it", merged, std::move(nodes));
+    }
+    static bool have_common(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b) {
+        const auto& small = a.size() < b.size() ? a : b;
+        const auto& large = a.size() < b.size() ? b : a;
+        return std::any_of(small.begin(), small.end(), [&](std::int32_t i) {
+            return std::find(large.begin(), large.end(), i) != large.end();
+        });
+    }
+    static void join(std::vector<std::vector<std::int32_t>>& neighbours, std::int32_t stays,
+                     std::int32_t goes) {
+        auto& list = neighbours[stays];
+        list.erase(std::find(list.begin(), list.end(), goes));
+        for (const std::int32_t n : neighbours[goes]) {
+            if (n == stays) continue;
+            list.push_back(n);
+            std::replace(neighbours[n].begin(), neighbours[n].end(), goes, stays);
+        }
+        neighbours[goes].clear();
+    }
+
+    /// Takes nodes out of runs until all are far enough apart, the most crowded and thinnest first.
+    void thin_runs() {
+        const auto count = static_cast<std::int32_t>(document_.nodes.size());
+        const Adjacency adjacent = adjacency(count, bones_);
+        side_.assign(count, {-1, -1});
+        for (std::int32_t i = 0; i < count; ++i)
+            if (adjacent.degree(i) == 2)
+                for (int k = 0; k < 2; ++k) side_[i][k] = adjacent.bones(i)[k];
+        using Entry = std::pair<double, std::int32_t>;
+        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+        for (std::int32_t i = 0; i < count; ++i)
+            if (adjacent.degree(i) == 2) queue.emplace(crowding(i), i);
+        std::int64_t removed = 0;
+        std::vector<std::int64_t> nodes;
+        gone_.assign(bones_.size(), 0);
+        while (!queue.empty() && queue.top().first < options_.spacing) {
+            const auto [crowd, i] = queue.top();
+            queue.pop();
+            if (merged_[i] != i || crowd != crowding(i) || !may_remove(i, adjacent)) continue;
+            const std::array<std::int32_t, 2> ends{other(i, 0), other(i, 1)};
+            remove(i);
+            note(nodes, i);
+            ++removed;
+            for (const std::int32_t n : ends)
+                if (side_[n][0] >= 0) queue.emplace(crowding(n), n);
+        }
+        std::size_t kept = 0;
+        for (std::size_t b = 0; b < bones_.size(); ++b)
+            if (!gone_[b]) bones_[kept] = bones_[b], source_[kept++] = source_[b];
+        bones_.resize(kept);
+        source_.resize(kept);
+        warn("nodes closer than a tube's radius were thinned out", removed, std::move(nodes));
+    }
+    std::int32_t other(std::int32_t i, int k) const {
+        const Bone& bone = bones_[side_[i][k]];
+        return bone[0] == i ? bone[1] : bone[0];
+    }
+    double crowding(std::int32_t i) const {
+        double least = 1e300, largest = radius(i);
+        for (int k = 0; k < 2; ++k) {
+            const std::int32_t n = other(i, k);
+            least = std::min(least, distance(i, n) / std::max(radius(i), radius(n)));
+            largest = std::max(largest, radius(n));
+        }
+        return least * (0.5 + 0.5 * radius(i) / largest);
+    }
+    /// A closed path keeps three nodes; one from a joint to itself keeps two; one beside another bone keeps
+    /// one.
+    bool may_remove(std::int32_t i, const Adjacency& adjacent) const {
+        const std::int32_t a = other(i, 0), b = other(i, 1);
+        if (a == b) return false;
+        for (const std::int32_t n : {a, b})
+            if (side_[n][0] >= 0)
+                for (int k = 0; k < 2; ++k)
+                    if (other(n, k) == (n == a ? b : a)) return false;
+        if (side_[a][0] >= 0 || side_[b][0] >= 0) {
+            // Two nodes from one joint to itself: taking one out would leave a loop of two bones.
+            const auto beyond = [&](std::int32_t n) { return other(n, other(n, 0) == i ? 1 : 0); };
+            if (side_[a][0] >= 0 && beyond(a) == b) return false;
+            if (side_[b][0] >= 0 && beyond(b) == a) return false;
+            return true;
+        }
+        const std::int32_t fewer = adjacent.degree(a) < adjacent.degree(b) ? a : b;
+        for (const std::int32_t bone : adjacent.bones(fewer)) {
+            if (gone_[bone]) continue;
+            const Bone& ends = bones_[bone];
+            if (std::minmax(ends[0], ends[1]) == std::minmax(a, b)) return false;
+        }
+        return true;
+    }
+    /// The bone on one side grows over the node; that on the other goes.
+    void remove(std::int32_t i) {
+        const std::int32_t keep = std::min(side_[i][0], side_[i][1]),
+                           drop = std::max(side_[i][0], side_[i][1]);
+        const std::int32_t far = bones_[drop][0] == i ? bones_[drop][1] : bones_[drop][0];
+        for (std::int32_t& end : bones_[keep])
+            if (end == i) end = far;
+        gone_[drop] = 1;
+        for (std::int32_t& bone : side_[far])
+            if (bone == drop) bone = keep;
+        merged_[i] = far;
+    }
+
+    CleanGraph compact() {
+        CleanGraph clean;
+        std::vector<std::int32_t> index(document_.nodes.size(), -1);
+        for (std::int32_t i = 0; i < std::ssize(document_.nodes); ++i) {
+            if (merged_[i] != i) continue;
+            index[i] = static_cast<std::int32_t>(clean.position.size());
+            clean.position.push_back(position(i));
+            clean.radius.push_back(radius(i));
+            clean.source_node.push_back(i);
+        }
+        for (const Bone& bone : bones_) clean.bones.push_back({index[bone[0]], index[bone[1]]});
+        clean.source_bone = std::move(source_);
+        clean.warnings = std::move(warnings_);
+        return clean;
+    }
+
+    const Document& document_;
+    ConditionOptions options_;
+    std::vector<Bone> bones_;
+    std::vector<std::int32_t> merged_;  // node -> node it was merged into
+    std::vector<std::int32_t> source_;  // bone -> source bone
+    std::vector<std::array<std::int32_t, 2>> side_;
+    std::vector<std::uint8_t> gone_;
+    Warnings warnings_;
+};
+
+}  // namespace
+
+CleanGraph condition(const Document& document, const ConditionOptions& options) {
+    return Repair(document, options).run();
+}
+
+}  // namespace sinew

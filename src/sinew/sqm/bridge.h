@@ -1,0 +1,47 @@
+/// @file bridge.h
+/// Stage 3: tubes of quads between the rings, fans at their ends.
+///
+/// In: the network, its cells, their counts, the points at the joints and the rings along the paths. Out: the
+/// vertex layout and all faces. No positions are compared and nothing is stitched: indices are known from the
+/// counts. Vertices: first all joint points (JointPoints), then path after path its rings, then its poles,
+/// then the poles of cells without a bone, then lone nodes. Cannot fail, but for more vertices than 32 bits
+/// count.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sinew/base/progress.h"
+#include "sinew/mesh/quad_mesh.h"
+#include "sinew/sqm/stations.h"
+
+namespace sinew::sqm {
+
+struct Bridge {
+    std::vector<std::uint32_t> path_vertex;  ///< path -> first vertex of its rings; paths + 1 entries
+    std::vector<std::array<std::uint32_t, 2>>
+        path_pole;                     ///< path -> poles at its start and end; no_vertex if there is none
+    std::vector<std::int32_t> capped;  ///< cells without a bone
+    std::uint32_t capped_pole = 0;     ///< the pole of capped[i] is capped_pole + i
+    std::uint32_t lone_vertex = 0;     ///< lone node i has 26 vertices from lone_vertex + 26 i on
+    QuadMesh mesh;                     ///< faces and poles; positions sized but not set
+};
+inline constexpr std::uint32_t no_vertex = ~std::uint32_t{0};
+
+struct Parts {
+    const Plain& skeleton;
+    const Network& network;
+    const Polyhedra& polyhedra;
+    const Refinement& refinement;
+    const JointPoints& points;
+    const Stations& stations;
+};
+
+Result<Bridge> bridge(const Parts& parts, const Progress& progress = {});
+
+/// Corner directions (not unit) of the 26 vertices of a lone node's sphere: those of a cube of 3 x 3 x 3
+/// points but its middle.
+const std::array<std::array<int, 3>, 26>& lone_sphere_points();
+
+}  // namespace sinew::sqm

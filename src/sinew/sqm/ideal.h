@@ -1,0 +1,68 @@
+/// @file ideal.h
+/// The ideal surface: the union of round cones, the hulls of the two balls at the ends of each bone.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "sinew/base/vec.h"
+
+namespace sinew::sqm {
+
+/// A round cone as seen from the ball at its near end, whose centre is the origin of all rays.
+struct ConeFrom {
+    Vec3 axis = Vec3::UnitZ();  ///< unit, to the far end
+    double length = 0;          ///< between the two centres
+    double near = 1, far = 1;   ///< the radii
+    double sine = 0;            ///< of the slope of the side: (near - far) / length, in [-1, 1]
+    double cosine = 1;
+
+    ConeFrom() = default;
+    ConeFrom(const Vec3& from, double near_radius, const Vec3& to, double far_radius)
+        : length((to - from).norm()), near(near_radius), far(far_radius) {
+        if (length > 0) axis = (to - from) / length;
+        nested_ = std::abs(near - far) >= length;
+        if (!nested_) {
+            sine = (near - far) / length;
+            cosine = std::sqrt((1 - sine) * (1 + sine));
+        }
+    }
+
+    /// Distance from the near centre to where a ray along the unit vector leaves the cone. The cone is convex
+    /// and holds the centre, so there is one such point.
+    double exit(const Vec3& ray) const {
+        const double along = ray.dot(axis);
+        const double across = std::sqrt(std::max(0.0, 1 - along * along));
+        if (nested_) return near >= far ? near : leave_far(along, across);
+        const double rise = along * cosine - across * sine;  // height on the slanted side, a unit of the ray
+        if (rise <= 0) return near;
+        const double t = near / (across * cosine + along * sine);
+        if (t > 0 && t * rise <= length * cosine) return t;
+        return leave_far(along, across);
+    }
+
+    /// Heights above the near centre at which the straight side begins and ends.
+    double side_begin() const { return near * sine; }
+    double side_end() const { return length + far * sine; }
+
+    /// Radius at a height above the near centre, of the side or of the balls before and behind it; 0 outside.
+    double radius_at(double height) const {
+        auto ball = [](double radius, double h) {
+            return std::sqrt(std::max(0.0, (radius - h) * (radius + h)));
+        };
+        if (nested_) return std::max(ball(near, height), ball(far, height - length));
+        if (height <= side_begin()) return ball(near, height);
+        if (height >= side_end()) return ball(far, height - length);
+        return (near - height * sine) / cosine;
+    }
+    bool nested() const { return nested_; }
+
+  private:
+    double leave_far(double along, double across) const {
+        const double square = (far - length * across) * (far + length * across);
+        return std::max(near, along * length + std::sqrt(std::max(0.0, square)));
+    }
+    bool nested_ = true;
+};
+
+}  // namespace sinew::sqm

@@ -1,0 +1,60 @@
+/// @file path_frame.h
+/// Frames that turn as little as possible along a path, and angles round it.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "sinew/base/vec.h"
+
+namespace sinew::sqm {
+
+/// Unit vector at right angles to `z`: the world's X, or Y where |z.X| > 0.9, made orthogonal to it.
+inline Vec3 frame_x(const Vec3& z) {
+    const Vec3 world = std::abs(z.x()) > 0.9 ? Vec3::UnitY() : Vec3::UnitX();
+    return (world - world.dot(z) * z).normalized();
+}
+
+/// Carries the unit vector x, at right angles to tangent a at point p, to tangent b at point q with the least
+/// rotation. Double reflection: W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of rotation minimizing
+/// frames", ACM TOG 27(1), 2008.
+inline Vec3 carry_frame(const Vec3& x, const Vec3& p, const Vec3& a, const Vec3& q, const Vec3& b) {
+    const Vec3 chord = q - p;
+    const double square = chord.squaredNorm();
+    Vec3 xl = x, al = a;
+    if (square > 0) {
+        xl -= (2 / square) * chord.dot(x) * chord;
+        al -= (2 / square) * chord.dot(a) * chord;
+    }
+    const Vec3 bend = b - al;
+    const double bend_square = bend.squaredNorm();
+    if (bend_square > 1e-24) xl -= (2 / bend_square) * bend.dot(xl) * bend;
+    const Vec3 flat = xl - xl.dot(b) * b;
+    const double length = flat.norm();
+    return length > 1e-9 ? Vec3(flat / length) : frame_x(b);
+}
+
+/// Angle of a vector round the axis x cross y, from x towards y.
+inline double angle_round(const Vec3& v, const Vec3& x, const Vec3& y) {
+    return std::atan2(v.dot(y), v.dot(x));
+}
+
+/// Makes angles that go once round increase from the first one on.
+inline void unwrap(std::span<double> angles) {
+    for (std::size_t k = 1; k < angles.size(); ++k) {
+        double step = std::fmod(angles[k] - angles[k - 1], 2 * M_PI);
+        if (step < 0) step += 2 * M_PI;
+        angles[k] = angles[k - 1] + step;
+    }
+}
+
+/// The angle g for which g + 2 pi k / n is nearest to the unwrapped angles.
+inline double even_phase(std::span<const double> angles) {
+    const double n = static_cast<double>(angles.size());
+    double sum = 0;
+    for (std::size_t k = 0; k < angles.size(); ++k) sum += angles[k] - 2 * M_PI * static_cast<double>(k) / n;
+    return sum / n;
+}
+
+}  // namespace sinew::sqm

@@ -1,0 +1,18 @@
+/// @file place.h
+/// Stage 4: every vertex is put on the ideal surface.
+///
+/// In: all earlier results. Out: positions, and which node and bone each vertex came from. Joint points lie
+/// there already; rings are circles on straight tubes and the cut through both round cones at nodes where a
+/// path bends. With a symmetry the positions are made symmetric to the last bit. With Fit::limit the control
+/// points are moved until the smooth surface, not the control mesh, passes through the points found here.
+#pragma once
+
+#include "sinew/sqm/bridge.h"
+#include "sinew/sqm/symmetry.h"
+
+namespace sinew::sqm {
+
+/// Sets positions and origins of bridge.mesh.
+void place(const Parts& parts, const Images& images, Bridge& bridge);
+
+}  // namespace sinew::sqm

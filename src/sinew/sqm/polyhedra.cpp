@@ -1,0 +1,125 @@
+#include "sinew/sqm/polyhedra.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace sinew::sqm {
+namespace {
+
+constexpr std::int32_t chunk_size = 512;  // joints whose cells one task finds
+
+/// Where an arc runs: point(t) = cos t u + sin t v for t in [0, length].
+struct ArcFrame {
+    Vec3 u, v;
+    double length;
+};
+
+ArcFrame frame_of(const Polyhedra& p, const CellArc& arc) {
+    const Vec3& from = p.vertices[arc.from];
+    const Vec3& to = p.vertices[arc.to];
+    const double cosine = from.dot(to);
+    if (cosine > -0.985) {
+        const Vec3 v = (to - cosine * from).normalized();
+        return {from, v, std::acos(std::min(1.0, cosine))};
+    }
+    // Nearly opposite ends: which half circle it is only the cells can tell, and it leads away from both
+    // others.
+    const Vec3 v = (p.sites[arc.left] - p.sites[arc.right]).cross(from).normalized();
+    return {from, v, std::abs(std::atan2(to.dot(v), cosine))};
+}
+
+/// Appends the cells of one joint.
+void append(const SphericalCells& cells, Polyhedra& out) {
+    const std::int32_t cell = out.cell_count(), vertex = static_cast<std::int32_t>(out.vertices.size());
+    const std::int32_t arc = static_cast<std::int32_t>(out.arcs.size()),
+                       side = static_cast<std::int32_t>(out.sides.size());
+    out.sites.insert(out.sites.end(), cells.sites.begin(), cells.sites.end());
+    out.vertices.insert(out.vertices.end(), cells.vertices.begin(), cells.vertices.end());
+    for (const CellArc& a : cells.arcs)
+        out.arcs.push_back({a.from + vertex, a.to + vertex, a.left + cell, a.right + cell});
+    for (std::size_t c = 1; c < cells.side_first.size(); ++c)
+        out.side_first.push_back(cells.side_first[c] + side);
+    for (const CellSide& s : cells.sides) out.sides.push_back({s.arc + arc, s.reversed});
+    out.cell_first.push_back(out.cell_count());
+    out.vertex_first.push_back(static_cast<std::int32_t>(out.vertices.size()));
+    out.arc_first.push_back(static_cast<std::int32_t>(out.arcs.size()));
+}
+
+Polyhedra empty_polyhedra() {
+    Polyhedra p;
+    p.cell_first = p.vertex_first = p.arc_first = p.side_first = {0};
+    return p;
+}
+
+Polyhedra polyhedra_of(const Plain& skeleton, const Network& network, std::int32_t begin, std::int32_t end) {
+    Polyhedra out = empty_polyhedra();
+    SphericalCells cells;
+    std::vector<Vec3> directions;
+    for (std::int32_t j = begin; j < end; ++j) {
+        directions.clear();
+        for (std::int32_t s = 0; s < network.degree(j); ++s)
+            directions.push_back(slot_direction(skeleton, network, j, s));
+        find_spherical_cells(directions, cells);
+        append(cells, out);
+    }
+    return out;
+}
+
+template <class T, class Shift>
+void concatenate(std::vector<T>& to, const std::vector<T>& from, std::size_t skip, Shift shift) {
+    for (std::size_t i = skip; i < from.size(); ++i) to.push_back(shift(from[i]));
+}
+
+void concatenate(Polyhedra& to, const Polyhedra& from) {
+    const std::int32_t cell = to.cell_count(), vertex = to.vertex_first.back(), arc = to.arc_first.back();
+    const auto side = static_cast<std::int32_t>(to.sides.size());
+    const auto plus = [](std::int32_t offset) { return [offset](std::int32_t i) { return i + offset; }; };
+    const auto same = [](const Vec3& v) { return v; };
+    concatenate(to.cell_first, from.cell_first, 1, plus(cell));
+    concatenate(to.vertex_first, from.vertex_first, 1, plus(vertex));
+    concatenate(to.arc_first, from.arc_first, 1, plus(arc));
+    concatenate(to.sites, from.sites, 0, same);
+    concatenate(to.vertices, from.vertices, 0, same);
+    concatenate(to.arcs, from.arcs, 0, [&](const CellArc& a) {
+        return CellArc{a.from + vertex, a.to + vertex, a.left + cell, a.right + cell};
+    });
+    concatenate(to.side_first, from.side_first, 1, plus(side));
+    concatenate(to.sides, from.sides, 0, [&](const CellSide& s) {
+        return CellSide{s.arc + arc, s.reversed};
+    });
+}
+
+}  // namespace
+
+Vec3 slot_direction(const Plain& skeleton, const Network& network, std::int32_t joint, std::int32_t slot) {
+    const std::int32_t path_and_end = network.slot_path[network.slot_first[joint] + slot];
+    const auto nodes = network.nodes(path_and_end / 2);
+    const std::int32_t next = path_and_end % 2 == 0 ? nodes[1] : nodes[nodes.size() - 2];
+    return (skeleton.position[next] - skeleton.position[network.joint_node[joint]]).normalized();
+}
+
+Result<Polyhedra> make_polyhedra(const Plain& skeleton, const Network& network, const Progress& progress) {
+    const std::int32_t joints = network.joint_count(), chunks = (joints + chunk_size - 1) / chunk_size;
+    std::vector<Polyhedra> parts(chunks);
+    tbb::parallel_for(std::int32_t{0}, chunks, [&](std::int32_t chunk) {
+        if (progress.cancelled()) return;
+        const std::int32_t begin = chunk * chunk_size;
+        parts[chunk] = polyhedra_of(skeleton, network, begin, std::min(joints, begin + chunk_size));
+    });
+    if (progress.cancelled()) return Progress::stopped();
+    if (chunks == 1) return std::move(parts[0]);
+    Polyhedra all = empty_polyhedra();
+    for (const Polyhedra& part : parts) concatenate(all, part);
+    return all;
+}
+
+Vec3 point_on_arc(const Polyhedra& polyhedra, const CellArc& arc, double share) {
+    const ArcFrame frame = frame_of(polyhedra, arc);
+    const double angle = share * frame.length;
+    return std::cos(angle) * frame.u + std::sin(angle) * frame.v;
+}
+
+double arc_length(const Polyhedra& polyhedra, const CellArc& arc) { return frame_of(polyhedra, arc).length; }
+
+}  // namespace sinew::sqm

@@ -1,0 +1,411 @@
+#include "sinew/sqm/refine.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+#include "sinew/sqm/count_problem.h"
+
+namespace sinew::sqm {
+namespace {
+
+constexpr std::int32_t unknown = 0;
+constexpr std::int32_t hopeless =
+    1024;  // vertices round a path: far above what any joint was ever seen to need
+
+/// Parts of the network that are joined by paths, and the paths on or between its cycles (the 2-core).
+struct Regions {
+    std::vector<std::int32_t> component;  // joint -> component
+    std::int32_t components = 0;
+    std::vector<std::uint8_t> core;  // path -> both its ends are joints, and it is not in a tree hanging off
+};
+
+std::int32_t joint_beyond(const Network& n, std::int32_t path, std::int32_t joint) {
+    const auto& end = n.path_end[path];
+    return end[0].joint == joint ? end[1].joint : end[0].joint;
+}
+bool between_joints(const Network& n, std::int32_t path) {
+    return n.path_end[path][0].at_joint() && n.path_end[path][1].at_joint();
+}
+template <class Visit>
+void for_slots(const Network& n, std::int32_t joint, Visit visit) {
+    for (std::int32_t s = 0; s < n.degree(joint); ++s) visit(s, n.slot_path[n.slot_first[joint] + s] / 2);
+}
+
+Regions find_regions(const Network& n) {
+    Regions r;
+    r.component.assign(n.joint_count(), -1);
+    std::vector<std::int32_t> stack;
+    for (std::int32_t seed = 0; seed < n.joint_count(); ++seed) {
+        if (r.component[seed] >= 0) continue;
+        r.component[seed] = r.components;
+        stack.assign(1, seed);
+        while (!stack.empty()) {
+            const std::int32_t joint = stack.back();
+            stack.pop_back();
+            for_slots(n, joint, [&](std::int32_t, std::int32_t path) {
+                const std::int32_t next = joint_beyond(n, path, joint);
+                if (next < 0 || r.component[next] >= 0) return;
+                r.component[next] = r.components;
+                stack.push_back(next);
+            });
+        }
+        ++r.components;
+    }
+
+    // Peel joints that hang on by one path; what cannot be peeled is the core.
+    std::vector<std::int32_t> hold(n.joint_count(), 0);
+    r.core.assign(n.path_count(), 0);
+    for (std::int32_t p = 0; p < n.path_count(); ++p)
+        if (between_joints(n, p)) {
+            r.core[p] = 1;
+            for (const PathEnd& end : n.path_end[p]) ++hold[end.joint];
+        }
+    for (std::int32_t j = 0; j < n.joint_count(); ++j)
+        if (hold[j] == 1) stack.push_back(j);
+    while (!stack.empty()) {
+        const std::int32_t joint = stack.back();
+        stack.pop_back();
+        for_slots(n, joint, [&](std::int32_t, std::int32_t path) {
+            if (!r.core[path]) return;
+            r.core[path] = 0;
+            for (const PathEnd& end : n.path_end[path])
+                if (--hold[end.joint] == 1) stack.push_back(end.joint);
+        });
+    }
+    return r;
+}
+
+/// The count problem of one joint in terms of orbits under the symmetries that keep the joint in place.
+class JointProblem {
+  public:
+    JointProblem(const Polyhedra& p, const Images& images) : p_(p), images_(images) {}
+
+    /// Sets up the orbits of a joint; everything later refers to it.
+    void take(std::int32_t joint) {
+        joint_ = joint;
+        turns_ = 1;  // smallest power of the generator that brings the joint back onto itself
+        if (images_.any())
+            for (std::int32_t j = images_.joint[joint]; j != joint; j = images_.joint[j]) ++turns_;
+        fixed_ = images_.any() && turns_ < images_.order;
+        problem_.clear();
+        cell_orbit_ = orbits(p_.cell_first, images_.cell, cell_share_);
+        arc_orbit_ = orbits(p_.arc_first, images_.arc, arc_share_);
+        problem_.cells.resize(cell_share_.size());
+        add_arcs();
+    }
+
+    std::int32_t first_cell() const { return p_.cell_first[joint_]; }
+    /// The count of a cell is a multiple of this.
+    std::int32_t step(std::int32_t cell) const { return cell_share_[orbit(cell)]; }
+    void ask(std::int32_t cell, std::int32_t count, bool exact, bool cheap) {
+        CountCell& c = problem_.cells[orbit(cell)];
+        const std::int32_t share = step(cell), target = (count + share - 1) / share;
+        if (exact && count % share != 0) impossible_ = true;
+        c = {std::max(target, exact ? 0 : c.target), exact || c.exact, cheap};
+    }
+    void ask_nothing_yet() {
+        impossible_ = false;
+        for (CountCell& c : problem_.cells) c = {0, false, false};
+    }
+    bool solve() { return !impossible_ && problem_.solve(); }
+
+    /// Least count that the least pieces give a cell.
+    std::int32_t least(std::int32_t cell) const {
+        std::int32_t sum = 0;
+        for (const CellSide& side : p_.cell(cell)) sum += pieces_at_least(side.arc);
+        return sum;
+    }
+    std::int32_t pieces(std::int32_t arc) const {
+        const std::int32_t o = arc_orbit_[arc - p_.arc_first[joint_]];
+        return problem_.arcs[o].pieces * arc_factor_[o];
+    }
+
+  private:
+    std::int32_t orbit(std::int32_t cell) const { return cell_orbit_[cell - first_cell()]; }
+    std::int32_t pieces_at_least(std::int32_t arc) const {
+        const std::int32_t o = arc_orbit_[arc - p_.arc_first[joint_]];
+        return problem_.arcs[o].least * arc_factor_[o];
+    }
+
+    /// Numbers the orbits of the joint's cells or arcs; `share` says how many symmetries keep a member in
+    /// place.
+    std::vector<std::int32_t> orbits(const std::vector<std::int32_t>& first,
+                                     const std::vector<std::int32_t>& image,
+                                     std::vector<std::int32_t>& share) const {
+        const std::int32_t begin = first[joint_], count = first[joint_ + 1] - begin;
+        std::vector<std::int32_t> orbit(count, -1);
+        share.clear();
+        for (std::int32_t i = 0; i < count; ++i) {
+            if (orbit[i] >= 0) continue;
+            const auto id = static_cast<std::int32_t>(share.size());
+            std::int32_t size = 0, at = i + begin;
+            do {
+                orbit[at - begin] = id;
+                ++size;
+                for (std::int32_t t = 0; fixed_ && t < turns_; ++t) at = image[at];
+            } while (at != i + begin);
+            share.push_back(fixed_ ? images_.order / turns_ / size : 1);
+        }
+        return orbit;
+    }
+    void add_arcs() {
+        const std::int32_t begin = p_.arc_first[joint_], count = p_.arc_first[joint_ + 1] - begin;
+        problem_.arcs.assign(arc_share_.size(), {});
+        arc_factor_.assign(arc_share_.size(), 0);
+        std::vector<std::uint8_t> known(arc_share_.size(), 0);
+        for (std::int32_t i = 0; i < count; ++i) {
+            const std::int32_t o = arc_orbit_[i];
+            if (known[o]) continue;
+            known[o] = 1;
+            describe(begin + i, o);
+        }
+    }
+
+    /// An arc in the mirror (its cells change places) may be split in any way. One across it is split evenly,
+    /// and adds its pieces to two cells that are symmetric themselves, of which the problem counts one half.
+    void describe(std::int32_t arc, std::int32_t o) {
+        const CellArc& a = p_.arcs[arc];
+        const std::int32_t left = orbit(a.left), right = orbit(a.right);
+        const bool across = arc_share_[o] > 1 && left != right;
+        CountArc& out = problem_.arcs[o];
+        arc_factor_[o] = across ? arc_share_[o] : 1;
+        out.a = left;
+        out.b = left != right ? right : (arc_share_[o] > 1 ? -1 : left);
+        out.length = arc_length(p_, a) / arc_factor_[o];
+        out.least = needs_middle(arc) && arc_factor_[o] == 1 ? 2 : 1;
+    }
+
+    /// Arcs with both ends in common must not be one edge each.
+    bool needs_middle(std::int32_t arc) const {
+        const CellArc& a = p_.arcs[arc];
+        for (std::int32_t b = p_.arc_first[joint_]; b < p_.arc_first[joint_ + 1]; ++b) {
+            const CellArc& c = p_.arcs[b];
+            if (b != arc && std::minmax(a.from, a.to) == std::minmax(c.from, c.to)) return true;
+        }
+        return false;
+    }
+
+    const Polyhedra& p_;
+    const Images& images_;
+    std::int32_t joint_ = 0, turns_ = 1;
+    bool fixed_ = false, impossible_ = false;
+    CountProblem problem_;
+    std::vector<std::int32_t> cell_orbit_, arc_orbit_, cell_share_, arc_share_, arc_factor_;
+};
+
+/// Carries counts through the network.
+class Refiner {
+  public:
+    Refiner(const Network& n, const Polyhedra& p, const Images& images, const RefineOptions& options)
+        : n_(n), p_(p), images_(images), options_(options), regions_(find_regions(n)) {
+        out_.pieces.assign(p.arcs.size(), 0);
+        out_.path_sides.assign(n.path_count(), unknown);
+        if (options.sides > 0) std::fill(regions_.core.begin(), regions_.core.end(), 1);
+    }
+
+    Result<Refinement> run(const Progress& progress) {
+        find_least();
+        mark_core_joints();
+        if (!solve_core(progress)) {
+            if (progress.cancelled()) return Progress::stopped();
+            return no_solution();
+        }
+        if (!solve_trees()) return no_solution();
+        for (std::int32_t p = 0; p < n_.path_count(); ++p)
+            if (out_.path_sides[p] == unknown) out_.path_sides[p] = lone_path_sides();
+        return std::move(out_);
+    }
+
+  private:
+    static tl::unexpected<Error> no_solution() {
+        return fail(ErrorKind::program, "no number of vertices fits all tubes of a joint",
+                    "please report this skeleton");
+    }
+    std::int32_t lone_path_sides() const { return options_.sides > 0 ? std::max(4, options_.sides) : 4; }
+    std::int32_t cell(const PathEnd& end) const { return p_.cell_first[end.joint] + end.slot; }
+
+    /// Least count of every path: what the cells at its ends have at least, a multiple of what their symmetry
+    /// asks for.
+    void find_least() {
+        least_.assign(n_.path_count(), options_.sides > 0 ? std::max(4, options_.sides) : 4);
+        JointProblem joint(p_, images_);
+        for (std::int32_t j = 0; j < n_.joint_count(); ++j) {
+            joint.take(j);
+            for_slots(n_, j, [&](std::int32_t slot, std::int32_t path) {
+                const std::int32_t c = joint.first_cell() + slot, step = joint.step(c);
+                least_[path] = std::max(least_[path], joint.least(c));
+                least_[path] = (least_[path] + step - 1) / step * step;
+            });
+        }
+    }
+
+    void mark_core_joints() {
+        core_joint_.assign(n_.joint_count(), 0);
+        for (std::int32_t p = 0; p < n_.path_count(); ++p)
+            if (regions_.core[p])
+                for (const PathEnd& end : n_.path_end[p])
+                    if (end.at_joint()) core_joint_[end.joint] = 1;
+    }
+
+    /// Asks a joint for the counts of its paths: those that are known exactly, the core's if there is one,
+    /// the rest freely.
+    void ask(JointProblem& joint, std::int32_t j, std::int32_t core_count) const {
+        joint.ask_nothing_yet();
+        for_slots(n_, j, [&](std::int32_t slot, std::int32_t path) {
+            const std::int32_t c = joint.first_cell() + slot;
+            const std::int32_t known = regions_.core[path] ? core_count : out_.path_sides[path];
+            joint.ask(c, known != unknown ? known : least_[path], known != unknown,
+                      !between_joints(n_, path));
+        });
+        for (std::int32_t c = joint.first_cell() + n_.degree(j); c < p_.cell_first[j + 1]; ++c)
+            joint.ask(c, 3, false, true);
+    }
+
+    /// The least count from `count` on with which every core joint of every component can be solved.
+    bool solve_core(const Progress& progress) {
+        std::vector<std::int32_t> count(regions_.components, 4);
+        for (std::int32_t p = 0; p < n_.path_count(); ++p)
+            if (const std::int32_t c = component_of(p); regions_.core[p] && c >= 0)
+                count[c] = std::max(count[c], least_[p]);
+        const std::int32_t step = options_.sides > 0 ? 1 : 2;
+        for (std::int32_t& c : count) c = (c + step - 1) / step * step;
+
+        std::vector<std::int32_t> pending;
+        for (std::int32_t j = 0; j < n_.joint_count(); ++j)
+            if (core_joint_[j] && representative(j)) pending.push_back(j);
+        // Joints of one component must agree: when one needs more, all of them are solved again with that.
+        while (!pending.empty()) {
+            if (progress.cancelled()) return false;
+            std::vector<std::int32_t> met(pending.size());
+            tbb::parallel_for(std::size_t{0}, pending.size(), [&](std::size_t i) {
+                JointProblem joint(p_, images_);
+                met[i] = least_met(joint, pending[i], count[regions_.component[pending[i]]], step);
+            });
+            for (std::size_t i = 0; i < pending.size(); ++i) {
+                if (met[i] >= hopeless) return false;
+                std::int32_t& c = count[regions_.component[pending[i]]];
+                c = std::max(c, met[i]);
+            }
+            std::size_t kept = 0;
+            for (std::size_t i = 0; i < pending.size(); ++i)
+                if (met[i] < count[regions_.component[pending[i]]]) pending[kept++] = pending[i];
+            pending.resize(kept);
+        }
+        for (std::int32_t p = 0; p < n_.path_count(); ++p)
+            if (const std::int32_t c = component_of(p); regions_.core[p] && c >= 0)
+                out_.path_sides[p] = count[c];
+        return true;
+    }
+    std::int32_t component_of(std::int32_t path) const {
+        const auto& end = n_.path_end[path];
+        const std::int32_t joint = std::max(end[0].joint, end[1].joint);
+        return joint < 0 ? -1 : regions_.component[joint];
+    }
+    /// Solves a core joint with the least count that it can meet, and writes its pieces down. Joints share no
+    /// arcs.
+    std::int32_t least_met(JointProblem& joint, std::int32_t j, std::int32_t count, std::int32_t step) {
+        joint.take(j);
+        for (; count < hopeless; count += step) {
+            ask(joint, j, count);
+            if (!joint.solve()) continue;
+            write(joint, j);
+            break;
+        }
+        return count;
+    }
+
+    /// The joints of trees, from their roots outward; the core's joints are solved already.
+    bool solve_trees() {
+        std::vector<std::uint8_t> done(core_joint_);
+        std::vector<std::int32_t> queue;
+        JointProblem joint(p_, images_);
+        auto settle = [&](std::int32_t j, bool solved) {
+            for (std::int32_t k = j;;) {  // the joint and its images
+                done[k] = 1;
+                for_slots(n_, k, [&](std::int32_t slot, std::int32_t path) {
+                    out_.path_sides[path] = sum_of_cell(p_.cell_first[k] + slot);
+                    const std::int32_t next = joint_beyond(n_, path, k);
+                    if (next >= 0 && !done[next]) queue.push_back(next);
+                });
+                if (!images_.any() || !solved) break;
+                k = images_.joint[k];
+                if (k == j) break;
+            }
+        };
+        auto solve = [&](std::int32_t j) {
+            joint.take(j);
+            ask(joint, j, unknown);
+            if (!joint.solve()) return false;
+            write(joint, j);
+            settle(j, true);
+            return true;
+        };
+        for (std::int32_t j = 0; j < n_.joint_count(); ++j)
+            if (core_joint_[j]) settle(j, false);
+        std::size_t head = 0;
+        auto drain = [&] {
+            for (; head < queue.size(); ++head)
+                if (!done[queue[head]] && !solve(queue[head])) return false;
+            return true;
+        };
+        if (!drain()) return false;
+        for (const std::int32_t root : tree_roots(done))
+            if ((!done[root] && !solve(root)) || !drain()) return false;
+        return true;
+    }
+
+    /// A root for each component of trees: a joint that the symmetry keeps in place if there is one.
+    std::vector<std::int32_t> tree_roots(const std::vector<std::uint8_t>& done) const {
+        std::vector<std::int32_t> root(regions_.components, -1);
+        for (std::int32_t j = 0; j < n_.joint_count(); ++j) {
+            if (done[j]) continue;
+            std::int32_t& r = root[regions_.component[j]];
+            if (r < 0 || (images_.any() && images_.joint[r] != r && images_.joint[j] == j)) r = j;
+        }
+        root.erase(std::remove(root.begin(), root.end(), -1), root.end());
+        return root;
+    }
+
+    std::int32_t sum_of_cell(std::int32_t c) const {
+        std::int32_t sum = 0;
+        for (const CellSide& side : p_.cell(c)) sum += out_.pieces[side.arc];
+        return sum;
+    }
+    bool representative(std::int32_t j) const {
+        if (!images_.any()) return true;
+        for (std::int32_t k = images_.joint[j]; k != j; k = images_.joint[k])
+            if (k < j) return false;
+        return true;
+    }
+    void write(const JointProblem& joint, std::int32_t j) {
+        for (std::int32_t a = p_.arc_first[j]; a < p_.arc_first[j + 1]; ++a) {
+            const std::int32_t pieces = joint.pieces(a);
+            std::int32_t image = a;
+            do {
+                out_.pieces[image] = pieces;
+                if (images_.any()) image = images_.arc[image];
+            } while (image != a);
+        }
+    }
+
+    const Network& n_;
+    const Polyhedra& p_;
+    const Images& images_;
+    RefineOptions options_;
+    Regions regions_;
+    std::vector<std::int32_t> least_;
+    std::vector<std::uint8_t> core_joint_;
+    Refinement out_;
+};
+
+}  // namespace
+
+Result<Refinement> refine(const Network& network, const Polyhedra& polyhedra, const Images& images,
+                          const RefineOptions& options, const Progress& progress) {
+    return Refiner(network, polyhedra, images, options).run(progress);
+}
+
+}  // namespace sinew::sqm

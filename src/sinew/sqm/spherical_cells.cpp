@@ -1,0 +1,231 @@
+#include "sinew/sqm/spherical_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sinew/sqm/sphere_hull.h"
+
+namespace sinew::sqm {
+namespace {
+
+constexpr double least_separation =
+    0.12;  // radians between two directions: tubes closer than that are drawn apart
+constexpr double shortest_arc = 0.12;  // radians; shorter arcs are merged to a point
+constexpr int most_sides = 6;          // cells round a vertex, so that its valence is at most 12
+
+Vec3 any_normal_to(const Vec3& v) {
+    int least = 0;
+    v.cwiseAbs().minCoeff(&least);
+    return v.cross(Vec3::Unit(least)).normalized();
+}
+
+/// Turns equal directions away from each other by a hair; the golden angle keeps several of them apart.
+void part_equal(std::vector<Vec3>& sites, double hair) {
+    constexpr double golden = 2.399963229728653;
+    for (std::size_t i = 1; i < sites.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            if ((sites[i] - sites[j]).squaredNorm() > 1e-12) continue;
+            const Vec3 x = any_normal_to(sites[i]), y = sites[i].cross(x);
+            const double angle = golden * static_cast<double>(i);
+            sites[i] = (sites[i] + hair * (std::cos(angle) * x + std::sin(angle) * y)).normalized();
+            break;
+        }
+}
+
+bool too_close(std::span<const Vec3> sites, double square) {
+    for (std::size_t i = 1; i < sites.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if ((sites[i] - sites[j]).squaredNorm() < square) return true;
+    return false;
+}
+
+/// Pushes directions apart, all pairs at once so that their order does not matter.
+void separate(std::vector<Vec3>& sites, std::vector<Vec3>& push) {
+    const double least = std::min(least_separation, 1 / std::sqrt(static_cast<double>(sites.size())));
+    if (!too_close(sites, least * least)) return;
+    part_equal(sites, 0.1 * least);
+    for (int round = 0; round < 64 && too_close(sites, 0.98 * least * least); ++round) {
+        push.assign(sites.size(), Vec3::Zero());
+        for (std::size_t i = 1; i < sites.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const Vec3 apart = sites[i] - sites[j];
+                const double distance = apart.norm();
+                if (distance >= least) continue;
+                const Vec3 half = apart * (0.51 * (least - distance) / distance);
+                push[i] += half;
+                push[j] -= half;
+            }
+        for (std::size_t i = 0; i < sites.size(); ++i) sites[i] = (sites[i] + push[i]).normalized();
+    }
+}
+
+std::int32_t before(std::span<const std::int32_t> face, std::int32_t point) {
+    const auto at = std::find(face.begin(), face.end(), point) - face.begin();
+    return face[at == 0 ? face.size() - 1 : at - 1];
+}
+
+Vec3 face_normal(std::span<const std::int32_t> face, std::span<const Vec3> sites) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 1; k + 1 < face.size(); ++k)
+        sum += (sites[face[k]] - sites[face[0]]).cross(sites[face[k + 1]] - sites[face[0]]);
+    return sum.normalized();
+}
+
+/// The dual of the hull: a vertex a face, an arc an edge, a cell a point.
+void dualise(const SphereHull& hull, SphericalCells& cells) {
+    const std::int32_t count = cells.cell_count();
+    cells.vertices.clear();
+    for (std::int32_t f = 0; f < hull.face_count(); ++f)
+        cells.vertices.push_back(face_normal(hull.face(f), cells.sites));
+
+    // Arcs are found again through the edge table, which is not needed for faces any more once all arcs are
+    // known.
+    cells.arcs.clear();
+    std::vector<std::int32_t> arc_of(static_cast<std::size_t>(count) * count, -1);
+    for (std::int32_t i = 0; i < count; ++i)
+        for (std::int32_t k = i + 1; k < count; ++k) {
+            if (hull.face_of[i * count + k] < 0) continue;
+            arc_of[i * count + k] = arc_of[k * count + i] = static_cast<std::int32_t>(cells.arcs.size());
+            cells.arcs.push_back({hull.face_of[k * count + i], hull.face_of[i * count + k], i, k});
+        }
+
+    std::vector<std::int32_t> any_face(count, -1);
+    for (std::int32_t f = 0; f < hull.face_count(); ++f)
+        for (const std::int32_t i : hull.face(f)) any_face[i] = f;
+    cells.side_first = {0};
+    cells.sides.clear();
+    for (std::int32_t i = 0; i < count; ++i) {
+        std::int32_t f = any_face[i];
+        do {
+            const std::int32_t k = before(hull.face(f), i);
+            cells.sides.push_back({arc_of[i * count + k], i > k});
+            f = hull.face_of[i * count + k];
+        } while (f != any_face[i]);
+        cells.side_first.push_back(static_cast<std::int32_t>(cells.sides.size()));
+    }
+}
+
+/// Merges the ends of short arcs, shortest first, wherever the cells stay discs of at least two sides.
+class MergeShortArcs {
+  public:
+    explicit MergeShortArcs(SphericalCells& cells)
+        : cells_(cells), root_(cells.vertices.size()), gone_(cells.arcs.size(), false) {
+        std::iota(root_.begin(), root_.end(), 0);
+        sum_ = cells.vertices;
+    }
+    void run() {
+        const std::vector<std::pair<double, std::int32_t>> shortest = short_arcs();
+        if (shortest.empty()) return;
+        side_count_.resize(cells_.cell_count());
+        for (std::int32_t c = 0; c < cells_.cell_count(); ++c)
+            side_count_[c] = static_cast<int>(cells_.cell(c).size());
+        for (const auto& [length, arc] : shortest)
+            if (may_merge(cells_.arcs[arc])) merge(arc);
+        rewrite();
+    }
+
+  private:
+    std::vector<std::pair<double, std::int32_t>> short_arcs() const {
+        std::vector<std::pair<double, std::int32_t>> result;
+        for (std::size_t a = 0; a < cells_.arcs.size(); ++a) {
+            const CellArc& arc = cells_.arcs[a];
+            const double chord = (cells_.vertices[arc.from] - cells_.vertices[arc.to]).norm();
+            if (chord < shortest_arc) result.emplace_back(chord, static_cast<std::int32_t>(a));
+        }
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+    std::int32_t root(std::int32_t v) const {
+        while (root_[v] != v) v = root_[v];
+        return v;
+    }
+    bool touches(std::int32_t cell, std::int32_t vertex) const {
+        for (const CellSide& side : cells_.cell(cell)) {
+            if (gone_[side.arc]) continue;
+            const CellArc& arc = cells_.arcs[side.arc];
+            if (root(arc.from) == vertex || root(arc.to) == vertex) return true;
+        }
+        return false;
+    }
+    bool may_merge(const CellArc& arc) const {
+        const std::int32_t u = root(arc.from), v = root(arc.to);
+        if (u == v || side_count_[arc.left] < 3 || side_count_[arc.right] < 3) return false;
+        for (std::int32_t c = 0; c < cells_.cell_count(); ++c)  // a cell that has both ends would be pinched
+            if (c != arc.left && c != arc.right && touches(c, u) && touches(c, v)) return false;
+        return true;
+    }
+    void merge(std::int32_t a) {
+        const CellArc& arc = cells_.arcs[a];
+        const std::int32_t u = root(arc.from), v = root(arc.to);
+        root_[std::max(u, v)] = std::min(u, v);
+        sum_[std::min(u, v)] += sum_[std::max(u, v)];
+        gone_[a] = true;
+        --side_count_[arc.left];
+        --side_count_[arc.right];
+    }
+    void rewrite() {
+        std::vector<std::int32_t> new_vertex(cells_.vertices.size(), -1), new_arc(cells_.arcs.size(), -1);
+        std::vector<Vec3> vertices;
+        for (std::size_t v = 0; v < root_.size(); ++v)
+            if (root_[v] == static_cast<std::int32_t>(v)) {
+                new_vertex[v] = static_cast<std::int32_t>(vertices.size());
+                vertices.push_back(sum_[v].normalized());
+            }
+        std::int32_t arcs = 0;
+        for (std::size_t a = 0; a < gone_.size(); ++a) {
+            if (gone_[a]) continue;
+            CellArc arc = cells_.arcs[a];
+            arc.from = new_vertex[root(arc.from)];
+            arc.to = new_vertex[root(arc.to)];
+            new_arc[a] = arcs;
+            cells_.arcs[arcs++] = arc;
+        }
+        cells_.arcs.resize(arcs);
+        std::size_t to = 0;
+        for (std::int32_t c = 0, begin = 0; c < cells_.cell_count(); ++c) {
+            const std::int32_t end = cells_.side_first[c + 1];
+            for (std::int32_t s = begin; s < end; ++s)
+                if (new_arc[cells_.sides[s].arc] >= 0)
+                    cells_.sides[to++] = {new_arc[cells_.sides[s].arc], cells_.sides[s].reversed};
+            begin = end;
+            cells_.side_first[c + 1] = static_cast<std::int32_t>(to);
+        }
+        cells_.sides.resize(to);
+        cells_.vertices = std::move(vertices);
+    }
+
+    SphericalCells& cells_;
+    std::vector<std::int32_t> root_;
+    std::vector<bool> gone_;
+    std::vector<Vec3> sum_;
+    std::vector<int> side_count_;
+};
+
+/// Adds a site in the middle of each vertex of too many sides. False if there is none.
+bool part_crowded_vertices(SphericalCells& cells) {
+    std::vector<int> sides(cells.vertices.size(), 0);
+    for (const CellArc& arc : cells.arcs) ++sides[arc.from], ++sides[arc.to];
+    const std::size_t before = cells.sites.size();
+    for (std::size_t v = 0; v < sides.size(); ++v)
+        if (sides[v] > most_sides) cells.sites.push_back(cells.vertices[v]);
+    cells.added += static_cast<std::int32_t>(cells.sites.size() - before);
+    return cells.sites.size() > before;
+}
+
+}  // namespace
+
+void find_spherical_cells(std::span<const Vec3> directions, SphericalCells& cells) {
+    cells.sites.assign(directions.begin(), directions.end());
+    cells.added = 0;
+    separate(cells.sites, cells.vertices);
+    SphereHull hull;
+    for (int round = 0; round < 4; ++round) {
+        find_sphere_hull(cells.sites, hull);
+        dualise(hull, cells);
+        MergeShortArcs(cells).run();
+        if (round == 3 || !part_crowded_vertices(cells)) return;
+    }
+}
+
+}  // namespace sinew::sqm
