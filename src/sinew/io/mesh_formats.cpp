@@ -5,9 +5,11 @@
 #include <exception>
 
 #include "sinew/io/files.h"
+#include "sinew/io/gltf_writer.h"
 #include "sinew/io/obj.h"
 #include "sinew/io/ply.h"
 #include "sinew/io/stl.h"
+#include "sinew/io/usda_writer.h"
 #include "sinew/mesh/validate.h"
 
 namespace sinew {
@@ -42,6 +44,12 @@ Result<std::string> write(const QuadMesh& mesh, FormatName format, const MeshWri
             return ply_bytes(mesh, options.ascii ? PlyEncoding::ascii : PlyEncoding::little_endian);
         case FormatName::stl:
             return stl_bytes(mesh);
+        case FormatName::glb:
+            return glb_bytes(mesh, options.metres_a_unit);
+        case FormatName::gltf:
+            return gltf_text(mesh, options.metres_a_unit);
+        case FormatName::usda:
+            return usda_text(mesh, options.metres_a_unit);
         default:
             return fail(ErrorKind::call, "this format cannot be written as a mesh");
     }
