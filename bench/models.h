@@ -1,0 +1,30 @@
+/// @file models.h
+/// Skeletons to measure with: made by formula, or read from the folder of real ones if it is there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sinew/skeleton/document.h"
+
+namespace sinew::bench {
+
+struct Model {
+    std::string name;
+    Document document;
+    bool repair = false;  ///< measured: nodes are thinned before skinning
+};
+
+/// The monopodial tree of figure 2.6a of "The Algorithmic Beauty of Plants" (r1 = 0.9, r2 = 0.6, a0 = a2 = 45
+/// degrees, d = 137.5 degrees, wr = 0.707), bones in the order in which they grow, cut off at a number of
+/// nodes; 2^n of them are n derivation steps.
+Document monopodial_tree(std::int32_t nodes);
+
+/// A body-centred cubic lattice of cells^3 cells of side 1: corners, centres, and a strut from each centre to
+/// its eight corners.
+Document bcc_lattice(int cells, double radius = 0.08);
+
+/// The largest files of each kind under data/graph of the shared folder; none where there is no such folder.
+std::vector<Model> real_models();
+
+}  // namespace sinew::bench
