@@ -129,7 +129,8 @@ std::vector<Model> real_models() {
              {"neuron, fruit fly", "neuron/navis__754538881.graph"},
              {"vessels, brain", "vascular/VessMorphoVis__BG0002.CNG.graph"},
          })
-        if (std::filesystem::exists(folder / file)) models.push_back({name, read_graph(folder / file), true});
+        if (const auto path = folder / file; std::filesystem::exists(path))
+            models.push_back({name, [path] { return read_graph(path); }, true});
     return models;
 }
 

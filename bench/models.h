@@ -2,6 +2,7 @@
 /// Skeletons to measure with: made by formula, or read from the folder of real ones if it is there.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace sinew::bench {
 
 struct Model {
     std::string name;
-    Document document;
-    bool repair = false;  ///< measured: nodes are thinned before skinning
+    std::function<Document()> make;  ///< large ones are made only when they are measured
+    bool repair = false;             ///< measured: nodes are thinned before skinning
 };
 
 /// The monopodial tree of figure 2.6a of "The Algorithmic Beauty of Plants" (r1 = 0.9, r2 = 0.6, a0 = a2 = 45
