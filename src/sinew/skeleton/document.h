@@ -52,8 +52,8 @@ struct Node {
     std::array<double, 3> scale{1, 1, 1};
     std::optional<Vec3> size;  ///< full extents of a cube; default: twice the radius each
     double roll = 0;           ///< degrees about the bone
-    std::optional<Quat>
-        rotation;      ///< for a cube or a ball at a branch or a root; as given: normalise before use
+    /// For a cube or a ball at a branch or a root. As given: normalise before use.
+    std::optional<Quat> rotation;
     double joint = 0;  ///< sharpness of the ring here: 0 smooth; >= 10 infinitely sharp
     GivenKeys given;
 };
@@ -62,8 +62,8 @@ struct Node {
 struct Symmetry {
     enum class Kind : std::uint8_t { none, mirror, radial };
     Kind kind = Kind::none;
-    int axis =
-        0;  ///< 0, 1, 2 for x, y, z: the mirror plane's normal (through the origin), or the axis of rotation
+    /// 0, 1, 2 for x, y, z: the normal of the mirror plane (through the origin), or the axis of rotation.
+    int axis = 0;
     int count = 1;  ///< radial: how many images, the drawn one included; >= 2
 
     bool operator==(const Symmetry&) const = default;
@@ -73,16 +73,16 @@ struct Document {
     std::string unit;  ///< "m", "mm", "um" ...; empty where it is unknown
     Symmetry symmetry;
     std::vector<Node> nodes;
-    std::vector<std::array<std::int32_t, 2>>
-        links;  ///< more bones, as pairs of node indices: they close cycles
+    /// More bones, as pairs of node indices: they close cycles.
+    std::vector<std::array<std::int32_t, 2>> links;
 
     // Side tables: empty, or one entry a node.
     std::vector<std::string> names;
-    std::vector<std::string>
-        extras;  ///< keys of the node that this version does not know, as JSON object text
+    /// Keys of the node that this version does not know, as JSON object text: {"colour":"red"}.
+    std::vector<std::string> extras;
 
-    std::string
-        extra;  ///< the same for the document itself; those inside `symmetry` stand in a "symmetry" of it
+    /// The same for the document itself; those inside `symmetry` stand in a "symmetry" of it.
+    std::string extra;
     bool unit_given = false;   ///< the file has the key "unit", though empty
     bool links_given = false;  ///< the file has the key "links", though empty
 };
