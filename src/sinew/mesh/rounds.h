@@ -1,0 +1,65 @@
+/// @file rounds.h
+/// Circles as subdivision meets them, and the cones and discs that stand on them.
+///
+/// A vertex of a circle stays where it is, and the new vertex of one of its edges lies on the circle. The
+/// surface beside the circle must not see these vertices as control points (a ring of n would lose 1 - (4 + 2
+/// cos(2 pi / n)) / 6 of its radius just beside the circle, a waist): it sees `circle_control`, the points
+/// whose limit they are. Between a fixed pole (the tip of a cone, the middle of a flat disc) and a circle
+/// round its axis the surface is the exact cone or disc: new vertices there are means in the cone's own
+/// coordinates, old ones stay.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sinew/mesh/fans.h"
+
+namespace sinew {
+
+struct CircleVertex {
+    std::uint32_t vertex = 0;
+    std::uint32_t circle = 0;
+    /// Its neighbours along the circle. Both no_index where it is its own control point: at the end of an
+    /// arc, at a corner, where two circles or another crease meet.
+    std::uint32_t before = no_index;
+    std::uint32_t after = no_index;
+};
+
+struct CircleEdge {
+    std::uint32_t edge = 0;
+    std::uint32_t circle = 0;
+};
+
+/// The faces between a tip and a circle.
+struct Cone {
+    std::uint32_t tip = 0;
+    std::uint32_t circle = 0;
+    std::vector<std::uint32_t> faces;     ///< ascending
+    std::vector<std::uint32_t> edges;     ///< between two of the faces, ascending
+    std::vector<std::uint32_t> vertices;  ///< all but those of the circle, ascending
+};
+
+struct Rounds {
+    std::vector<CircleVertex> vertices;  ///< one entry a vertex
+    std::vector<CircleEdge> edges;       ///< circle after circle, in the order of its edges
+    std::vector<Cone> cones;
+};
+
+/// Fails for an edge of a circle that is no edge of the mesh, and for a circle without axis or radius.
+Result<Rounds> resolve_rounds(const QuadMesh& mesh, const Topology& topology, const Sharpness& sharpness,
+                              const Fans& fans);
+
+/// The nearest point of a circle; of a point on the axis, any.
+Vec3 nearest_on_circle(const Circle& circle, const Vec3& point);
+
+/// The point that a closed cubic B-spline through points on the circle has as control point at `point`:
+/// further out by 6 / (4 + 2 cos a), a the mean angle to its neighbours before and after. Exact where they
+/// are evenly spread.
+Vec3 circle_control(const Circle& circle, const Vec3& point, const Vec3& before, const Vec3& after);
+
+/// The mean of points of the cone from `tip` to the circle in its own coordinates: the share of the way to
+/// the circle, and the direction about the axis. The mean of all the tip is the tip.
+Vec3 mean_on_cone(const Circle& circle, const Vec3& tip, std::span<const Vec3> points);
+
+}  // namespace sinew
