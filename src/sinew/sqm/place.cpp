@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "sinew/sqm/symmetrise.h"
+
 namespace sinew::sqm {
 namespace {
 
@@ -159,7 +161,8 @@ void place(const Parts& parts, const Images& images, Bridge& bridge) {
     Placer placer(parts, bridge);
     placer.run();
     std::vector<Vec3> positions = placer.take_positions();
-    (void)images;
+    if (const auto image = vertex_images(parts, images, bridge, positions); !image.empty())
+        make_symmetric(images, image, positions);
     for (std::size_t v = 0; v < positions.size(); ++v) bridge.mesh.positions[v] = positions[v].cast<float>();
 }
 

@@ -9,24 +9,23 @@ namespace {
 
 constexpr std::int32_t chunk_size = 512;  // joints whose cells one task finds
 
-/// Where an arc runs: point(t) = cos t u + sin t v for t in [0, length].
-struct ArcFrame {
-    Vec3 u, v;
-    double length;
-};
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-ArcFrame frame_of(const Polyhedra& p, const CellArc& arc) {
-    const Vec3& from = p.vertices[arc.from];
-    const Vec3& to = p.vertices[arc.to];
-    const double cosine = from.dot(to);
-    if (cosine > -0.985) {
-        const Vec3 v = (to - cosine * from).normalized();
-        return {from, v, std::acos(std::min(1.0, cosine))};
-    }
-    // Nearly opposite ends: which half circle it is only the cells can tell, and it leads away from both
-    // others.
-    const Vec3 v = (p.sites[arc.left] - p.sites[arc.right]).cross(from).normalized();
-    return {from, v, std::abs(std::atan2(to.dot(v), cosine))};
+Vec3 slerp(const Vec3& a, const Vec3& b, double share) {
+    const double angle = angle_between(a, b), sine = std::sin(angle);
+    if (sine < 1e-9) return (a + share * (b - a)).normalized();
+    return (std::sin((1 - share) * angle) * a + std::sin(share * angle) * b) / sine;
+}
+
+/// The point half way, for arcs of more than a right angle. Between nearly opposite ends only the cells can
+/// tell which of all great circles it is: the one in the plane between their two sites.
+Vec3 middle_of(const Polyhedra& p, const CellArc& arc) {
+    return (p.sites[arc.left] - p.sites[arc.right])
+        .cross(p.vertices[arc.from] - p.vertices[arc.to])
+        .normalized();
+}
+bool is_long(const Polyhedra& p, const CellArc& arc) {
+    return p.vertices[arc.from].dot(p.vertices[arc.to]) < 0;
 }
 
 /// Appends the cells of one joint.
@@ -114,12 +113,18 @@ Result<Polyhedra> make_polyhedra(const Plain& skeleton, const Network& network, 
     return all;
 }
 
-Vec3 point_on_arc(const Polyhedra& polyhedra, const CellArc& arc, double share) {
-    const ArcFrame frame = frame_of(polyhedra, arc);
-    const double angle = share * frame.length;
-    return std::cos(angle) * frame.u + std::sin(angle) * frame.v;
+Vec3 point_on_arc(const Polyhedra& p, const CellArc& arc, double share) {
+    const Vec3 &from = p.vertices[arc.from], &to = p.vertices[arc.to];
+    if (!is_long(p, arc)) return slerp(from, to, share);
+    const Vec3 middle = middle_of(p, arc);
+    return share <= 0.5 ? slerp(from, middle, 2 * share) : slerp(middle, to, 2 * share - 1);
 }
 
-double arc_length(const Polyhedra& polyhedra, const CellArc& arc) { return frame_of(polyhedra, arc).length; }
+double arc_length(const Polyhedra& p, const CellArc& arc) {
+    const Vec3 &from = p.vertices[arc.from], &to = p.vertices[arc.to];
+    if (!is_long(p, arc)) return angle_between(from, to);
+    const Vec3 middle = middle_of(p, arc);
+    return angle_between(from, middle) + angle_between(middle, to);
+}
 
 }  // namespace sinew::sqm

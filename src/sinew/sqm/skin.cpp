@@ -39,10 +39,14 @@ Result<Skin> skin(const Document& document, const SkinOptions& options, const Pr
     progress(0.1, "polyhedra");
     const auto polyhedra = sqm::make_polyhedra(*plain, network, progress);
     if (!polyhedra) return fail(polyhedra.error());
-    const sqm::Images images = sqm::find_images(*plain, network, *polyhedra);
+    sqm::Images images = sqm::find_images(*plain, network, *polyhedra);
 
     progress(0.3, "refine");
-    const auto refinement = sqm::refine(network, *polyhedra, images, {.sides = options.sides}, progress);
+    auto refinement = sqm::refine(network, *polyhedra, images, {.sides = options.sides}, progress);
+    if (!refinement && images.any() && !progress.cancelled()) {
+        images = {};  // a closed mesh matters more than a symmetric one
+        refinement = sqm::refine(network, *polyhedra, images, {.sides = options.sides}, progress);
+    }
     if (!refinement) return fail(refinement.error());
 
     progress(0.5, "bridge");

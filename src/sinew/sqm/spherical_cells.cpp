@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
+#include "sinew/sqm/count_problem.h"
 #include "sinew/sqm/sphere_hull.h"
 
 namespace sinew::sqm {
@@ -12,6 +14,7 @@ namespace {
 constexpr double least_separation =
     0.12;  // radians between two directions: tubes closer than that are drawn apart
 constexpr double shortest_arc = 0.12;  // radians; shorter arcs are merged to a point
+constexpr double no_length = 1e-4;     // radians; directions are exact to about that much
 constexpr int most_sides = 6;          // cells round a vertex, so that its valence is at most 12
 
 Vec3 any_normal_to(const Vec3& v) {
@@ -109,29 +112,47 @@ void dualise(const SphereHull& hull, SphericalCells& cells) {
 /// Merges the ends of short arcs, shortest first, wherever the cells stay discs of at least two sides.
 class MergeShortArcs {
   public:
-    explicit MergeShortArcs(SphericalCells& cells)
-        : cells_(cells), root_(cells.vertices.size()), gone_(cells.arcs.size(), false) {
+    MergeShortArcs(SphericalCells& cells, double limit)
+        : cells_(cells), limit_(limit), root_(cells.vertices.size()), gone_(cells.arcs.size(), false) {
         std::iota(root_.begin(), root_.end(), 0);
         sum_ = cells.vertices;
     }
+    bool any() const { return !short_arcs().empty(); }
     void run() {
-        const std::vector<std::pair<double, std::int32_t>> shortest = short_arcs();
-        if (shortest.empty()) return;
+        const std::vector<Short> shortest = short_arcs();
         side_count_.resize(cells_.cell_count());
         for (std::int32_t c = 0; c < cells_.cell_count(); ++c)
             side_count_[c] = static_cast<int>(cells_.cell(c).size());
-        for (const auto& [length, arc] : shortest)
-            if (may_merge(cells_.arcs[arc])) merge(arc);
+        for (std::size_t begin = 0, end = 0; begin < shortest.size(); begin = end) {
+            while (end < shortest.size() && shortest[end].first < shortest[begin].first + 1e-9) ++end;
+            merge_alike({shortest.data() + begin, shortest.data() + end});
+        }
         rewrite();
     }
 
   private:
-    std::vector<std::pair<double, std::int32_t>> short_arcs() const {
-        std::vector<std::pair<double, std::int32_t>> result;
+    using Short = std::pair<double, std::int32_t>;
+
+    /// Arcs of one length may be images of each other: all of them are merged or none, so that no order
+    /// shows.
+    void merge_alike(std::span<const Short> arcs) {
+        const auto before = std::tuple(root_, sum_, gone_, side_count_);
+        bool all = true;
+        for (const auto& [length, arc] : arcs) {
+            const bool may = may_merge(cells_.arcs[arc]);
+            if (may) merge(arc);
+            all = all && may;
+        }
+        if (!all && arcs.size() > 1 && arcs[0].first > no_length)
+            std::tie(root_, sum_, gone_, side_count_) = before;
+    }
+
+    std::vector<Short> short_arcs() const {
+        std::vector<Short> result;
         for (std::size_t a = 0; a < cells_.arcs.size(); ++a) {
             const CellArc& arc = cells_.arcs[a];
             const double chord = (cells_.vertices[arc.from] - cells_.vertices[arc.to]).norm();
-            if (chord < shortest_arc) result.emplace_back(chord, static_cast<std::int32_t>(a));
+            if (chord < limit_) result.emplace_back(chord, static_cast<std::int32_t>(a));
         }
         std::sort(result.begin(), result.end());
         return result;
@@ -196,11 +217,42 @@ class MergeShortArcs {
     }
 
     SphericalCells& cells_;
+    double limit_;
     std::vector<std::int32_t> root_;
     std::vector<bool> gone_;
     std::vector<Vec3> sum_;
     std::vector<int> side_count_;
 };
+
+/// Whether all cells can have the same number of vertices round them, as paths on cycles want it. A
+/// triangulation of points on a sphere always can; merging arcs can spoil it (four cells, of which two do not
+/// touch).
+bool is_balanced(const SphericalCells& cells) {
+    CountProblem problem;
+    for (const CellArc& arc : cells.arcs) problem.arcs.push_back({arc.left, arc.right});
+    std::int32_t most = 4;
+    for (std::int32_t c = 0; c < cells.cell_count(); ++c)
+        most = std::max(most, static_cast<std::int32_t>(cells.cell(c).size()));
+    for (std::int32_t count = (most + 1) / 2 * 2, tries = 0; tries < 6; count += 2, ++tries) {
+        problem.cells.assign(cells.cell_count(), {count, true, false});
+        if (problem.solve()) return true;
+    }
+    return false;
+}
+
+/// Merges what is short, or, where that leaves cells that cannot be balanced, what has no length at all, or
+/// nothing.
+void merge_short_arcs(SphericalCells& cells) {
+    for (const double limit : {shortest_arc, no_length}) {
+        MergeShortArcs merge(cells, limit);
+        if (!merge.any()) return;
+        SphericalCells merged = cells;
+        MergeShortArcs(merged, limit).run();
+        if (!is_balanced(merged)) continue;
+        cells = std::move(merged);
+        return;
+    }
+}
 
 /// Adds a site in the middle of each vertex of too many sides. False if there is none.
 bool part_crowded_vertices(SphericalCells& cells) {
@@ -223,7 +275,7 @@ void find_spherical_cells(std::span<const Vec3> directions, SphericalCells& cell
     for (int round = 0; round < 4; ++round) {
         find_sphere_hull(cells.sites, hull);
         dualise(hull, cells);
-        MergeShortArcs(cells).run();
+        merge_short_arcs(cells);
         if (round == 3 || !part_crowded_vertices(cells)) return;
     }
 }

@@ -1,0 +1,23 @@
+/// @file symmetrise.h
+/// Makes the mesh of a symmetric skeleton symmetric to the last bit.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sinew/sqm/bridge.h"
+#include "sinew/sqm/symmetry.h"
+
+namespace sinew::sqm {
+
+/// Vertex -> its image under the generator. Empty if the tubes do not follow the symmetry of the joints.
+std::vector<std::uint32_t> vertex_images(const Parts& parts, const Images& images, const Bridge& bridge,
+                                         std::span<const Vec3> positions);
+
+/// Gives each vertex that is not the first of its orbit the image of the first one's position. Vertices that
+/// are their own image go into the mirror or onto the axis.
+void make_symmetric(const Images& images, std::span<const std::uint32_t> vertex_image,
+                    std::span<Vec3> positions);
+
+}  // namespace sinew::sqm
