@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "sinew/mesh/limit.h"
 #include "sinew/sqm/symmetrise.h"
 
 namespace sinew::sqm {
@@ -12,7 +13,8 @@ namespace {
 
 class Placer {
   public:
-    Placer(const Parts& parts, Bridge& bridge) : d_(parts), n_(parts.network), out_(bridge) {}
+    Placer(const Parts& parts, const PlaceOptions& options, Bridge& bridge)
+        : d_(parts), n_(parts.network), options_(options), out_(bridge) {}
 
     void run() {
         QuadMesh& mesh = out_.mesh;
@@ -36,14 +38,20 @@ class Placer {
     }
 
     void joints() {
-        for (std::int32_t j = 0; j < n_.joint_count(); ++j)
-            for (std::uint32_t v = d_.points.first[j]; v < d_.points.first[j + 1]; ++v)
-                set(v, d_.points.position[v], n_.joint_node[j]);
+        for (std::int32_t j = 0; j < n_.joint_count(); ++j) {
+            const std::int32_t node = n_.joint_node[j];
+            const Vec3& centre = d_.skeleton.position[node];
+            for (std::uint32_t v = d_.points.first[j]; v < d_.points.first[j + 1]; ++v) {
+                const Vec3& point = d_.points.position[v];
+                const Vec3 on_ball = centre + d_.skeleton.radius[node] * (point - centre).normalized();
+                set(v, options_.ideal ? point : on_ball, node);
+            }
+        }
     }
 
     Vec3 on_ring(const Station& ring, double angle) const {
         const Vec3 ray = std::cos(angle) * ring.x + std::sin(angle) * ring.y;
-        if (ring.shape == RingShape::circle) return ring.centre + ring.radius * ray;
+        if (ring.shape == RingShape::circle || !options_.ideal) return ring.centre + ring.radius * ray;
         const auto cone = [&](std::int32_t other) {
             const Plain& s = d_.skeleton;
             return ConeFrom(ring.centre, ring.radius, s.position[other], s.radius[other]);
@@ -151,19 +159,52 @@ class Placer {
 
     const Parts& d_;
     const Network& n_;
+    PlaceOptions options_;
     Bridge& out_;
     std::vector<Vec3> positions_;
 };
 
+/// A smooth ring through the points of a circle runs inside it between them; this much further out it is as
+/// far outside.
+void widen_rings(const Parts& parts, const Bridge& bridge, std::span<Vec3> targets) {
+    const Stations& s = parts.stations;
+    for (std::int32_t p = 0; p < parts.network.path_count(); ++p) {
+        const std::int32_t sides = parts.refinement.path_sides[p];
+        const double factor = ring_fit_radius(sides);
+        for (std::int32_t i = s.first[p]; i < s.first[p + 1]; ++i) {
+            Vec3* ring = &targets[bridge.path_vertex[p] + (i - s.first[p]) * sides];
+            const Station& station = s.stations[i];
+            if (station.shape == RingShape::follow) continue;
+            for (std::int32_t k = 0; k < sides; ++k)
+                ring[k] = station.centre + factor * (ring[k] - station.centre);
+        }
+    }
+}
+
+Result<std::vector<Vec3>> fit_limit(const Parts& parts, const Bridge& bridge, std::vector<Vec3> targets) {
+    const auto stencils = build_limit_stencils(bridge.mesh);
+    if (!stencils) return fail(stencils.error());
+    widen_rings(parts, bridge, targets);
+    std::vector<Vec3> control = targets;
+    fit_to_limit(*stencils, targets, control);
+    return control;
+}
+
 }  // namespace
 
-void place(const Parts& parts, const Images& images, Bridge& bridge) {
-    Placer placer(parts, bridge);
+Result<void> place(const Parts& parts, const Images& images, const PlaceOptions& options, Bridge& bridge) {
+    Placer placer(parts, options, bridge);
     placer.run();
     std::vector<Vec3> positions = placer.take_positions();
-    if (const auto image = vertex_images(parts, images, bridge, positions); !image.empty())
-        make_symmetric(images, image, positions);
+    const auto image = vertex_images(parts, images, bridge, positions);
+    if (options.limit) {
+        auto control = fit_limit(parts, bridge, std::move(positions));
+        if (!control) return fail(control.error());
+        positions = std::move(*control);
+    }
+    make_symmetric(images, image, positions);
     for (std::size_t v = 0; v < positions.size(); ++v) bridge.mesh.positions[v] = positions[v].cast<float>();
+    return {};
 }
 
 }  // namespace sinew::sqm

@@ -12,7 +12,13 @@
 
 namespace sinew::sqm {
 
-/// Sets positions and origins of bridge.mesh.
-void place(const Parts& parts, const Images& images, Bridge& bridge);
+struct PlaceOptions {
+    bool ideal =
+        true;  ///< false: joint points stay on the balls of their joints and rings are circles, as bridged
+    bool limit = false;  ///< Fit::limit
+};
+
+/// Sets positions and origins of bridge.mesh. Fails only if the limit surface of the mesh cannot be found.
+Result<void> place(const Parts& parts, const Images& images, const PlaceOptions& options, Bridge& bridge);
 
 }  // namespace sinew::sqm

@@ -2,11 +2,13 @@
 
 #include "sinew/extend/extend.h"
 #include "sinew/skeleton/condition.h"
+#include "sinew/skeleton/validate.h"
 #include "sinew/sqm/bridge.h"
 #include "sinew/sqm/network.h"
 #include "sinew/sqm/place.h"
 #include "sinew/sqm/polyhedra.h"
 #include "sinew/sqm/refine.h"
+#include "sinew/sqm/stage_mesh.h"
 #include "sinew/sqm/symmetry.h"
 
 namespace sinew {
@@ -21,9 +23,48 @@ std::int64_t irregular_at_most(const sqm::Network& network, const sqm::Polyhedra
     return sum;
 }
 
+/// The stages of sqm, in their order.
+Result<QuadMesh> make_mesh(const Plain& skeleton, const SkinOptions& options, const Progress& progress,
+                           Skin& result) {
+    using namespace sqm;
+    const Network network = find_network(skeleton);
+
+    progress(0.1, "polyhedra");
+    const auto polyhedra = make_polyhedra(skeleton, network, progress);
+    if (!polyhedra) return fail(polyhedra.error());
+    if (options.stage == SkinStage::polyhedra) return polyhedra_mesh(skeleton, network, *polyhedra);
+
+    progress(0.3, "refine");
+    Images images = find_images(skeleton, network, *polyhedra);
+    auto refinement = refine(network, *polyhedra, images, {.sides = options.sides}, progress);
+    if (!refinement && images.any() && !progress.cancelled()) {
+        images = {};  // a closed mesh matters more than a symmetric one
+        refinement = refine(network, *polyhedra, images, {.sides = options.sides}, progress);
+    }
+    if (!refinement) return fail(refinement.error());
+    const JointPoints points = make_joint_points(skeleton, network, *polyhedra, *refinement);
+    if (options.stage == SkinStage::refine)
+        return refined_mesh(skeleton, network, *polyhedra, *refinement, points);
+
+    progress(0.5, "bridge");
+    const Stations stations = make_stations(skeleton, network, *polyhedra, *refinement, points);
+    const Parts parts{skeleton, network, *polyhedra, *refinement, points, stations};
+    auto bridged = bridge(parts, progress);
+    if (!bridged) return fail(bridged.error());
+    result.irregular = irregular_at_most(network, *polyhedra, *bridged);
+
+    progress(0.8, "place");
+    const bool bridge_only = options.stage == SkinStage::bridge;
+    const auto placed = place(
+        parts, images, {.ideal = !bridge_only, .limit = options.fit == Fit::limit && !bridge_only}, *bridged);
+    if (!placed) return fail(placed.error());
+    return std::move(bridged->mesh);
+}
+
 }  // namespace
 
 Result<Skin> skin(const Document& document, const SkinOptions& options, const Progress& progress) {
+    if (const auto valid = validate(document); !valid) return fail(valid.error());
     Skin result;
     progress(0.0, "condition");
     CleanGraph graph = condition(document, {.repair = options.repair});
@@ -34,32 +75,9 @@ Result<Skin> skin(const Document& document, const SkinOptions& options, const Pr
 
     const Result<Plain> plain = extend(document, std::move(graph));
     if (!plain) return fail(plain.error());
-    const sqm::Network network = sqm::find_network(*plain);
-
-    progress(0.1, "polyhedra");
-    const auto polyhedra = sqm::make_polyhedra(*plain, network, progress);
-    if (!polyhedra) return fail(polyhedra.error());
-    sqm::Images images = sqm::find_images(*plain, network, *polyhedra);
-
-    progress(0.3, "refine");
-    auto refinement = sqm::refine(network, *polyhedra, images, {.sides = options.sides}, progress);
-    if (!refinement && images.any() && !progress.cancelled()) {
-        images = {};  // a closed mesh matters more than a symmetric one
-        refinement = sqm::refine(network, *polyhedra, images, {.sides = options.sides}, progress);
-    }
-    if (!refinement) return fail(refinement.error());
-
-    progress(0.5, "bridge");
-    const sqm::JointPoints points = sqm::make_joint_points(*plain, network, *polyhedra, *refinement);
-    const sqm::Stations stations = sqm::make_stations(*plain, network, *polyhedra, *refinement, points);
-    const sqm::Parts parts{*plain, network, *polyhedra, *refinement, points, stations};
-    auto bridge = sqm::bridge(parts, progress);
-    if (!bridge) return fail(bridge.error());
-
-    progress(0.8, "place");
-    sqm::place(parts, images, *bridge);
-    result.irregular = irregular_at_most(network, *polyhedra, *bridge);
-    result.mesh = std::move(bridge->mesh);
+    auto mesh = make_mesh(*plain, options, progress, result);
+    if (!mesh) return fail(mesh.error());
+    result.mesh = std::move(*mesh);
     progress(1.0, "done");
     return result;
 }
