@@ -1,0 +1,23 @@
+#include "sinew/mesh/check.h"
+
+namespace sinew {
+
+Result<MeshReport> check(const QuadMesh& mesh, const CheckOptions& options, const Progress& progress) {
+    MeshReport report;
+    if (!well_formed(mesh)) {
+        report.validation = validate(mesh);
+        return report;
+    }
+    const Topology topology = build_topology(mesh);
+    report.validation = validate(mesh, topology);
+    report.measures = measure(mesh, topology);
+    if (options.cones && options.cones->size() > 0)
+        report.deviation = measure_deviation(mesh, *options.cones);
+    if (!options.self_intersections) return report;
+    Result<std::vector<FacePair>> pairs = find_self_intersections(mesh, progress);
+    if (!pairs) return tl::unexpected(pairs.error());
+    report.intersections = std::move(*pairs);
+    return report;
+}
+
+}  // namespace sinew
