@@ -1,0 +1,128 @@
+#include "sinew/render/normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sinew {
+namespace {
+
+Vec3f unit(const Vec3f& v, const Vec3f& otherwise) {
+    const float length = v.stableNorm();
+    return length > 0 && std::isfinite(length) ? Vec3f(v / length) : otherwise;
+}
+
+/// Twice the area, along the normal; right for faces that are not planar too.
+Vec3f area_vector(const QuadMesh& mesh, std::span<const std::uint32_t> face) {
+    const auto at = [&](std::size_t i) -> const Vec3f& { return mesh.positions[face[i]]; };
+    if (face.size() == 4) return (at(2) - at(0)).cross(at(3) - at(1));
+    Vec3f sum = Vec3f::Zero();
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) sum += (at(i) - at(0)).cross(at(i + 1) - at(0));
+    return sum;
+}
+
+Vec3f share_of(const Vec3f& before, const Vec3f& here, const Vec3f& after) {
+    const Vec3f a = after - here, b = before - here;
+    const float weight = a.squaredNorm() * b.squaredNorm();
+    return weight > 0 ? Vec3f(a.cross(b) / weight) : Vec3f::Zero();
+}
+
+/// What each corner adds to the normal of its vertex.
+std::vector<Vec3f> corner_shares(const QuadMesh& mesh) {
+    std::vector<Vec3f> shares(mesh.corners.size());
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const auto face = mesh.face(f);
+        const std::size_t n = face.size();
+        for (std::size_t i = 0; i < n; ++i)
+            shares[mesh.face_offsets[f] + i] =
+                share_of(mesh.positions[face[(i + n - 1) % n]], mesh.positions[face[i]],
+                         mesh.positions[face[(i + 1) % n]]);
+    }
+    return shares;
+}
+
+using EdgeKey = std::uint64_t;
+EdgeKey key_of(std::uint32_t a, std::uint32_t b) {
+    return static_cast<EdgeKey>(std::min(a, b)) << 32 | std::max(a, b);
+}
+
+std::vector<EdgeKey> sharp_edges(const QuadMesh& mesh) {
+    std::vector<EdgeKey> keys;
+    for (const Crease& crease : mesh.features.creases)
+        if (crease.sharpness >= 1) keys.push_back(key_of(crease.edge[0], crease.edge[1]));
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
+/// A corner at the end of a sharp edge, and the edges of its face that meet there.
+struct SharpCorner {
+    std::uint32_t vertex, corner;
+    EdgeKey in, out;
+};
+
+std::vector<SharpCorner> sharp_corners(const QuadMesh& mesh, const std::vector<EdgeKey>& sharp) {
+    std::vector<bool> at_sharp(mesh.vertex_count(), false);
+    for (const EdgeKey key : sharp) at_sharp[key >> 32] = at_sharp[key & 0xffffffffu] = true;
+    std::vector<SharpCorner> corners;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const auto face = mesh.face(f);
+        const std::size_t n = face.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!at_sharp[face[i]]) continue;
+            corners.push_back({face[i], static_cast<std::uint32_t>(mesh.face_offsets[f] + i),
+                               key_of(face[(i + n - 1) % n], face[i]), key_of(face[i], face[(i + 1) % n])});
+        }
+    }
+    std::stable_sort(corners.begin(), corners.end(),
+                     [](const SharpCorner& a, const SharpCorner& b) { return a.vertex < b.vertex; });
+    return corners;
+}
+
+/// Sums the shares of the corners round one vertex that are not parted by a sharp edge.
+void sum_groups(std::span<const SharpCorner> around, const std::vector<EdgeKey>& sharp,
+                const std::vector<Vec3f>& shares, std::vector<Vec3f>& sums) {
+    std::vector<std::size_t> group(around.size());
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        if (std::binary_search(sharp.begin(), sharp.end(), around[i].out)) continue;
+        for (std::size_t j = 0; j < around.size(); ++j)
+            if (around[j].in == around[i].out)
+                std::replace(group.begin(), group.end(), std::size_t(group[j]), std::size_t(group[i]));
+    }
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        Vec3f sum = Vec3f::Zero();
+        for (std::size_t j = 0; j < around.size(); ++j)
+            if (group[j] == group[i]) sum += shares[around[j].corner];
+        sums[around[i].corner] = sum;
+    }
+}
+
+}  // namespace
+
+std::vector<Vec3f> face_normals(const QuadMesh& mesh) {
+    std::vector<Vec3f> normals(mesh.face_count());
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        normals[f] = unit(area_vector(mesh, mesh.face(f)), Vec3f::Zero());
+    return normals;
+}
+
+std::vector<Vec3f> corner_normals(const QuadMesh& mesh, const std::vector<Vec3f>& face_normals) {
+    const std::vector<Vec3f> shares = corner_shares(mesh);
+    std::vector<Vec3f> at_vertex(mesh.vertex_count(), Vec3f::Zero());
+    for (std::size_t c = 0; c < shares.size(); ++c) at_vertex[mesh.corners[c]] += shares[c];
+    std::vector<Vec3f> normals(shares.size());
+    for (std::size_t c = 0; c < shares.size(); ++c) normals[c] = at_vertex[mesh.corners[c]];
+
+    const std::vector<EdgeKey> sharp = sharp_edges(mesh);
+    const std::vector<SharpCorner> corners = sharp_corners(mesh, sharp);
+    for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end) {
+        while (end < corners.size() && corners[end].vertex == corners[begin].vertex) ++end;
+        sum_groups({corners.data() + begin, end - begin}, sharp, shares, normals);
+    }
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        for (std::size_t c = mesh.face_offsets[f]; c < mesh.face_offsets[f + 1]; ++c)
+            normals[c] = unit(normals[c], face_normals[f]);
+    return normals;
+}
+
+}  // namespace sinew
