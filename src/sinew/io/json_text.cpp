@@ -93,6 +93,7 @@ class Builder : public nlohmann::json_sax<Json> {
                 fmt::format("arrays and objects stand in one another more than {} deep", deepest_json);
             error_.cure = "this is no sensible document";
             error_.path = pointer();
+            error_.path.resize(std::min<std::size_t>(error_.path.size(), 60));
             return false;
         }
         stack_.push_back(put(std::move(container)));
@@ -125,10 +126,13 @@ class Builder : public nlohmann::json_sax<Json> {
     }
 
     /// "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error ...": what follows the
-    /// place.
+    /// place, in a bearable length and without what a terminal might obey.
     static std::string reason(std::string_view what) {
         const std::size_t place = what.find(": ");
-        return std::string(place == std::string_view::npos ? what : what.substr(place + 2));
+        std::string text(place == std::string_view::npos ? what : what.substr(place + 2));
+        for (char& c : text)
+            if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
+        return text.size() > 200 ? text.substr(0, 200) + "..." : text;
     }
 
     std::string_view text_;
@@ -200,6 +204,9 @@ class Locator : public nlohmann::json_sax<Json> {
 }  // namespace
 
 Result<Json> parse_json(std::string_view text) try {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        return fail(ErrorKind::input, "there is nothing in it",
+                    "a document starts with {\"format\": \"sinew\", ...}");
     Builder builder(text);
     const char* furthest = text.data();
     if (parse(text, builder, &furthest)) return std::move(builder.root);

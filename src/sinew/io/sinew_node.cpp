@@ -52,7 +52,7 @@ class NodeReader {
     double number(const Json& value) {
         if (value.is_number()) return value.get<double>();
         complain(fmt::format("the {} must be a number, not {}", key_, value.type_name()),
-                 "write it without quotes");
+                 value.is_string() ? "write it without quotes" : "give a number");
         return 0;
     }
     /// Writes `least` to `most` numbers and returns how many there were.
@@ -61,7 +61,7 @@ class NodeReader {
             const std::string count =
                 least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
             complain(fmt::format("the {} must be an array of {} numbers", key_, count),
-                     fmt::format("write \"{}\": [{}]", key_, fmt::join(std::vector(least, 1), ", ")));
+                     fmt::format("write \"{}\": [...]", key_));
             return 0;
         }
         for (const Json& entry : value) *out++ = number(entry);
@@ -75,7 +75,7 @@ class NodeReader {
     std::int64_t id(const Json& value) {
         const std::optional<std::int64_t> number = integer_in(value);
         if (!number || *number < 0)
-            complain(fmt::format("the {} must be an integer that is not negative", key_),
+            complain(fmt::format("the {} must be an integer from 0 up, below 2^63", key_),
                      value.is_null() ? "leave the key out for a root" : "number the nodes from 0 up");
         return number.value_or(0);
     }
