@@ -43,8 +43,9 @@ struct Format {
     bool writes_skeleton = false;
     bool reads_mesh = false;
     bool writes_mesh = false;
-    bool measured =
-        false;  ///< its skeletons come from instruments: repaired on reading and conditioned by default
+    /// Its skeletons were not drawn for meshing, but measured or made for a rig: they are repaired on reading
+    /// and conditioned before skinning.
+    bool measured = false;
     Carries carries;
 };
 

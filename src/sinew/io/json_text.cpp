@@ -205,8 +205,7 @@ class Locator : public nlohmann::json_sax<Json> {
 
 Result<Json> parse_json(std::string_view text) try {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        return fail(ErrorKind::input, "there is nothing in it",
-                    "a document starts with {\"format\": \"sinew\", ...}");
+        return fail(ErrorKind::input, "there is nothing in it", "check that it was saved whole");
     Builder builder(text);
     const char* furthest = text.data();
     if (parse(text, builder, &furthest)) return std::move(builder.root);

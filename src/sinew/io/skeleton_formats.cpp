@@ -2,6 +2,7 @@
 
 #include "sinew/io/files.h"
 #include "sinew/io/formats.h"
+#include "sinew/io/gltf_joints.h"
 #include "sinew/io/graph_format.h"
 #include "sinew/io/sinew_format.h"
 #include "sinew/io/swc_format.h"
@@ -17,6 +18,9 @@ Result<ReadSkeleton> parse(std::string_view text, FormatName format, const ReadO
             return parse_graph(text, options);
         case FormatName::swc:
             return parse_swc(text, options);
+        case FormatName::gltf:
+        case FormatName::glb:
+            return parse_gltf(text, options);
         default:
             return fail(ErrorKind::program,
                         "the table of formats names a skeleton reader that does not exist");

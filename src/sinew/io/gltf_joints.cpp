@@ -1,0 +1,271 @@
+// Of all that a glTF file holds only the tree of nodes and the lists of joints matter here, so that a JSON
+// parser does and no buffer, image or extension needs to be there or be sound.
+#include "sinew/io/gltf_joints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "sinew/io/byte_order.h"
+#include "sinew/io/json_text.h"
+#include "sinew/io/measured.h"
+#include "sinew/skeleton/validate.h"
+
+namespace sinew {
+namespace {
+
+using Transform = Eigen::Transform<double, 3, Eigen::Affine>;
+
+tl::unexpected<Error> fail_at(std::string pointer, std::string message, std::string cure) {
+    return fail(Error{.message = std::move(message), .cure = std::move(cure), .path = std::move(pointer)});
+}
+
+/// The JSON text of a binary file: a header of 12 bytes, then chunks, the first of which is it.
+Result<std::string_view> json_of_glb(std::string_view bytes) {
+    auto word = [&](std::size_t at) {
+        return get_bytes<std::uint32_t>(bytes.data() + at, std::endian::little);
+    };
+    constexpr std::uint32_t json_chunk = 0x4E4F534A;
+    if (bytes.size() < 20)
+        return fail(ErrorKind::input, "the binary glTF file ends within its header", "get the whole file");
+    if (word(4) != 2)
+        return fail(ErrorKind::input, fmt::format("this is glTF of version {}", word(4)),
+                    "export it as glTF 2.0");
+    if (word(16) != json_chunk)
+        return fail(ErrorKind::input, "the first chunk is not the JSON", "export the file again");
+    if (word(12) > bytes.size() - 20)
+        return fail(ErrorKind::input, "the binary glTF file ends within its JSON", "get the whole file");
+    return bytes.substr(20, word(12));
+}
+
+struct GltfNodes {
+    std::vector<std::int32_t> parent;
+    std::vector<Transform> local;
+    std::vector<std::string> name;
+    std::vector<char> is_joint;
+};
+
+/// `count` numbers of a key; `fallback` where there is no such key.
+Result<std::array<double, 16>> numbers(const Json& node, const char* key, std::size_t count,
+                                       const std::string& pointer, std::array<double, 16> fallback) {
+    const Json* values = find(node, key);
+    if (!values) return fallback;
+    const std::string place = fmt::format("{}/{}", pointer, key);
+    if (!values->is_array() || values->size() != count)
+        return fail_at(place, fmt::format("the {} must be an array of {} numbers", key, count),
+                       "export the file again");
+    std::array<double, 16> result{};
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!(*values)[k].is_number())
+            return fail_at(place, fmt::format("the {} must be numbers", key), "export the file again");
+        result[k] = (*values)[k].get<double>();
+    }
+    return result;
+}
+
+Result<Transform> local_transform(const Json& node, const std::string& pointer) {
+    Transform transform = Transform::Identity();
+    if (find(node, "matrix")) {
+        const auto matrix = numbers(node, "matrix", 16, pointer, {});
+        if (!matrix) return fail(matrix.error());
+        transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(matrix->data());  // by columns, as glTF's are
+        transform.makeAffine();
+        return transform;
+    }
+    const auto translation = numbers(node, "translation", 3, pointer, {0, 0, 0});
+    if (!translation) return fail(translation.error());
+    const auto rotation = numbers(node, "rotation", 4, pointer, {0, 0, 0, 1});
+    if (!rotation) return fail(rotation.error());
+    const auto scale = numbers(node, "scale", 3, pointer, {1, 1, 1});
+    if (!scale) return fail(scale.error());
+    const Quat turn(Eigen::Map<const Eigen::Vector4d>(rotation->data()));
+    transform.translate(Vec3(Eigen::Map<const Vec3>(translation->data())));
+    if (turn.squaredNorm() > 0) transform.rotate(turn.normalized());
+    transform.scale(Vec3(Eigen::Map<const Vec3>(scale->data())));
+    return transform;
+}
+
+/// An entry of an array of node numbers.
+Result<std::int32_t> node_number(const Json& value, std::size_t count, const std::string& pointer) {
+    const std::optional<std::int64_t> number = integer_in(value);
+    if (!number || *number < 0 || *number >= static_cast<std::int64_t>(count))
+        return fail_at(pointer, "this is no number of a node of the file", "export the file again");
+    return static_cast<std::int32_t>(*number);
+}
+
+const Json& array_in(const Json& object, const char* key) {
+    static const Json none = Json::array();
+    const Json* value = object.is_object() ? find(object, key) : nullptr;
+    return value && value->is_array() ? *value : none;
+}
+
+Result<GltfNodes> read_nodes(const Json& root) {
+    const Json& list = array_in(root, "nodes");
+    GltfNodes nodes{.parent = std::vector<std::int32_t>(list.size(), -1),
+                    .is_joint = std::vector<char>(list.size(), 0)};
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::string pointer = fmt::format("/nodes/{}", i);
+        if (!list[i].is_object())
+            return fail_at(pointer, "a node must be an object", "export the file again");
+        const Result<Transform> transform = local_transform(list[i], pointer);
+        if (!transform) return fail(transform.error());
+        nodes.local.push_back(*transform);
+        const Json* name = find(list[i], "name");
+        nodes.name.push_back(name && name->is_string() ? name->get<std::string>() : "");
+        const Json& children = array_in(list[i], "children");
+        for (std::size_t k = 0; k < children.size(); ++k) {
+            const std::string place = fmt::format("{}/children/{}", pointer, k);
+            const Result<std::int32_t> child = node_number(children[k], list.size(), place);
+            if (!child) return fail(child.error());
+            if (std::exchange(nodes.parent[*child], static_cast<std::int32_t>(i)) >= 0)
+                return fail_at(place, fmt::format("the node {} has two parents", *child),
+                               "export the file again");
+        }
+    }
+    return nodes;
+}
+
+/// Nodes, parents first. Fails for nodes that are their own ancestors.
+Result<std::vector<std::int32_t>> parents_first(const GltfNodes& nodes) {
+    const std::size_t count = nodes.parent.size();
+    std::vector<std::vector<std::int32_t>> children(count);
+    std::vector<std::int32_t> order;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(count); ++i) {
+        if (nodes.parent[i] < 0)
+            order.push_back(i);
+        else
+            children[nodes.parent[i]].push_back(i);
+    }
+    for (std::size_t k = 0; k < order.size(); ++k)
+        order.insert(order.end(), children[order[k]].begin(), children[order[k]].end());
+    if (order.size() < count) {
+        std::vector<char> reached(count, 0);
+        for (std::int32_t i : order) reached[i] = 1;
+        return fail_at(fmt::format("/nodes/{}", std::ranges::find(reached, 0) - reached.begin()),
+                       "the node is its own ancestor", "export the file again");
+    }
+    return order;
+}
+
+Result<void> mark_joints_of_skins(const Json& root, GltfNodes& nodes) {
+    const Json& skins = array_in(root, "skins");
+    for (std::size_t s = 0; s < skins.size(); ++s) {
+        const Json& joints = array_in(skins[s], "joints");
+        for (std::size_t k = 0; k < joints.size(); ++k) {
+            const auto joint =
+                node_number(joints[k], nodes.parent.size(), fmt::format("/skins/{}/joints/{}", s, k));
+            if (!joint) return fail(joint.error());
+            nodes.is_joint[*joint] = 1;
+        }
+    }
+    return {};
+}
+
+/// Where there is no skin: the scene's nodes and all below them.
+Result<void> mark_scene(const Json& root, const std::vector<std::int32_t>& order, GltfNodes& nodes) {
+    const Json& scenes = array_in(root, "scenes");
+    const Json* chosen = find(root, "scene");
+    const std::int64_t number = chosen ? integer_in(*chosen).value_or(-1) : 0;
+    if (scenes.empty()) {
+        std::ranges::fill(nodes.is_joint, 1);
+        return {};
+    }
+    if (number < 0 || number >= static_cast<std::int64_t>(scenes.size()))
+        return fail_at("/scene", "there is no such scene", "export the file again");
+    const Json& roots = array_in(scenes[number], "nodes");
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+        const auto node =
+            node_number(roots[k], nodes.parent.size(), fmt::format("/scenes/{}/nodes/{}", number, k));
+        if (!node) return fail(node.error());
+        nodes.is_joint[*node] = 1;
+    }
+    for (std::int32_t i : order)
+        if (nodes.parent[i] >= 0 && nodes.is_joint[nodes.parent[i]]) nodes.is_joint[i] = 1;
+    return {};
+}
+
+Vec3 z_up(const Vec3& y_up) { return {y_up.x(), -y_up.z(), y_up.y()}; }
+
+Result<Document> joints(const GltfNodes& nodes, const std::vector<std::int32_t>& order) {
+    std::vector<Transform> global(nodes.local);
+    std::vector<std::int32_t> joint_above(order.size(),
+                                          -1);  // the node itself, or its nearest ancestor that is a joint
+    for (std::int32_t i : order) {
+        const std::int32_t parent = nodes.parent[i];
+        if (parent >= 0) global[i] = global[parent] * nodes.local[i];
+        joint_above[i] = nodes.is_joint[i] || parent < 0 ? i : joint_above[parent];
+        if (!nodes.is_joint[joint_above[i]]) joint_above[i] = -1;
+    }
+    Document document{.unit = "m"};
+    std::vector<std::int32_t> index(order.size(), -1);
+    for (std::int32_t i = 0; i < std::ssize(index); ++i) {
+        if (!nodes.is_joint[i]) continue;
+        index[i] = static_cast<std::int32_t>(document.nodes.size());
+        const Vec3 position = z_up(global[i].translation());
+        if (!(position.cwiseAbs().maxCoeff() <= largest_length))
+            return fail_at(fmt::format("/nodes/{}", i),
+                           "the transforms lead to a position that is no finite number",
+                           "export the file again");
+        document.nodes.push_back({.id = i, .position = position});
+        document.names.push_back(nodes.name[i]);
+    }
+    for (Node& node : document.nodes) {
+        const std::int32_t above = nodes.parent[node.id] < 0 ? -1 : joint_above[nodes.parent[node.id]];
+        node.parent = above < 0 ? -1 : index[above];
+    }
+    if (std::ranges::all_of(document.nodes, [](const Node& node) { return node.parent < 0; }))
+        return fail(ErrorKind::input, "the file has no skeleton: no skin, and no node below another",
+                    "export it with its armature");
+    return document;
+}
+
+Result<Document> skeleton_in(const Json& root) {
+    const Json* asset = root.is_object() ? find(root, "asset") : nullptr;
+    const Json* version = asset && asset->is_object() ? find(*asset, "version") : nullptr;
+    if (!version || !version->is_string() || !version->get<std::string>().starts_with("2."))
+        return fail_at("/asset/version", "this is JSON, but no glTF of version 2", "export it as glTF 2.0");
+    Result<GltfNodes> nodes = read_nodes(root);
+    if (!nodes) return fail(std::move(nodes.error()));
+    const Result<std::vector<std::int32_t>> order = parents_first(*nodes);
+    if (!order) return fail(order.error());
+    const Result<void> marked = array_in(root, "skins").empty() ? mark_scene(root, *order, *nodes)
+                                                                : mark_joints_of_skins(root, *nodes);
+    if (!marked) return fail(marked.error());
+    return joints(*nodes, *order);
+}
+
+}  // namespace
+
+Result<ReadSkeleton> parse_gltf(std::string_view bytes, const ReadOptions& options) try {
+    const bool binary = bytes.starts_with("glTF");
+    const Result<std::string_view> text = binary ? json_of_glb(bytes) : bytes;
+    if (!text) return fail(text.error());
+    Result<Json> json = parse_json(*text);
+    Result<Document> document = json ? skeleton_in(*json) : fail(std::move(json.error()));
+    if (!document) {
+        Error& error = document.error();
+        if (error.line == 0 && !error.path.empty()) error.line = line_of(*text, error.path);
+        if (binary) error.line = error.column = 0;  // nobody looks for lines there
+        return fail(std::move(error));
+    }
+    ReadSkeleton read{.document = std::move(*document), .measured = true};
+    const std::vector<double> radii = guess_radii(read.document);
+    Remarks remarks;
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        read.document.nodes[i].radius = radii[i];
+        remarks.note(
+            "node",
+            "without a radius, which glTF does not know: guessed, a fifth of the mean length of the bones",
+            read.document.nodes[i].id);
+    }
+    note_zero_lengths(read.document, {}, remarks);
+    Result<Warnings> warnings = remarks.take(options.strict);
+    if (!warnings) return fail(std::move(warnings.error()));
+    read.warnings = std::move(*warnings);
+    return read;
+} catch (const std::exception& exception) {  // bad_alloc
+    return fail(ErrorKind::program, fmt::format("the glTF file cannot be taken in ({})", exception.what()));
+}
+
+}  // namespace sinew
