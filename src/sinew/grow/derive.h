@@ -30,6 +30,7 @@ inline constexpr std::int64_t work_per_node = 64;
 inline constexpr std::int64_t count_factor = 4;
 
 /// The errors of the guard.
+/// @param count  such as "12 nodes"
 tl::unexpected<Error> too_many_nodes(const Grammar& grammar, std::string count, std::int64_t limit);
 tl::unexpected<Error> too_much_work(const Grammar& grammar, std::string count, std::int64_t limit);
 

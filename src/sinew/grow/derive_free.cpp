@@ -147,9 +147,9 @@ Result<void> FreeDerivation::guard() {
     next_check_ = work_ + 8192;
     if (turtle_.node_count() > limit_) {
         if (turtle_.node_count() > count_factor * limit_)
-            return too_many_nodes(grammar_, fmt::format("more than {}", count_factor * limit_), limit_);
+            return too_many_nodes(grammar_, fmt::format("more than {} nodes", count_factor * limit_), limit_);
     } else if (work_ / work_per_node > limit_) {
-        return too_much_work(grammar_, fmt::format("more than {}", work_), limit_);
+        return too_much_work(grammar_, fmt::format("more than {} modules", work_), limit_);
     }
     if (progress_.cancelled()) return Progress::stopped();
     if (expected_ > 0)
@@ -166,17 +166,16 @@ Result<void> derive_free(const Grammar& grammar, Program& program, std::int64_t 
 
 tl::unexpected<Error> too_many_nodes(const Grammar& grammar, std::string count, std::int64_t limit) {
     return fail(
-        Error{.message = fmt::format("the skeleton would have {} nodes, and the limit is {}", count, limit),
+        Error{.message = fmt::format("the skeleton would have {}, and the limit is {} nodes", count, limit),
               .cure = "take fewer steps or raise the limit",
               .file = grammar.source.name()});
 }
 
 tl::unexpected<Error> too_much_work(const Grammar& grammar, std::string count, std::int64_t limit) {
-    return fail(
-        Error{.message = fmt::format("growing would take {} modules, and a limit of {} nodes allows {}",
-                                     count, limit, limit * work_per_node),
-              .cure = "take fewer steps or raise the limit",
-              .file = grammar.source.name()});
+    return fail(Error{.message = fmt::format("growing would take {}, and a limit of {} nodes allows {}",
+                                             count, limit, limit * work_per_node),
+                      .cure = "take fewer steps or raise the limit",
+                      .file = grammar.source.name()});
 }
 
 }  // namespace sinew::lsystem

@@ -223,15 +223,13 @@ Result<void> ContextDerivation::step(int number, bool finally) {
 }
 
 Result<void> ContextDerivation::guard(int number) const {
-    const auto at_step = [&](std::int64_t count, const char* more) {
-        return fmt::format("{}{} already after step {} of {}, and more at the end", more, count, number + 1,
-                           program_.steps);
-    };
-    if (drawn_ > count_factor * limit_)
-        return too_many_nodes(grammar_, at_step(count_factor * limit_, "more than "), limit_);
     const auto length = static_cast<std::int64_t>(next_.size());
+    const std::string when = fmt::format("after {} of {} steps", number + 1, program_.steps);
+    if (drawn_ > count_factor * limit_)
+        return too_many_nodes(grammar_, fmt::format("more than {} nodes {}", count_factor * limit_, when),
+                              limit_);
     if (length / modules_per_node > limit_ || work_ / work_per_node > limit_)
-        return too_much_work(grammar_, at_step(work_ + length, ""), limit_);
+        return too_much_work(grammar_, fmt::format("more than {} modules {}", work_ + length, when), limit_);
     if (progress_.cancelled()) return Progress::stopped();
     progress_(static_cast<double>(number) / (program_.steps + 1), "grow");
     return {};

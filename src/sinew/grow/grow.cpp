@@ -13,8 +13,9 @@
 namespace sinew {
 namespace {
 
-std::string shown(std::uint64_t count) {
-    return count == lsystem::countless ? fmt::format("more than {}", count) : fmt::format("{}", count);
+std::string shown(std::uint64_t count, const char* what) {
+    return count == lsystem::countless ? fmt::format("more than {} {}", count, what)
+                                       : fmt::format("{} {}", count, what);
 }
 
 /// What can be known before anything grows.
@@ -22,9 +23,9 @@ Result<std::int64_t> expected_nodes(const Grammar& grammar, lsystem::Program& pr
     const auto count = lsystem::count_nodes(grammar, program);
     if (!count) return 0;
     const auto most = static_cast<std::uint64_t>(limit);
-    if (count->nodes > most) return lsystem::too_many_nodes(grammar, shown(count->nodes), limit);
+    if (count->nodes > most) return lsystem::too_many_nodes(grammar, shown(count->nodes, "nodes"), limit);
     if (count->modules / lsystem::work_per_node > most)
-        return lsystem::too_much_work(grammar, shown(count->modules), limit);
+        return lsystem::too_much_work(grammar, shown(count->modules, "modules"), limit);
     return static_cast<std::int64_t>(count->nodes);
 }
 
@@ -55,9 +56,10 @@ Result<Document> grow(const Grammar& grammar, const GrowOptions& options, const 
                              : lsystem::derive_free(grammar, *program, limit, *expected, turtle, progress);
     if (!derived) return tl::unexpected(derived.error());
     if (turtle.node_count() > limit)
-        return lsystem::too_many_nodes(grammar, fmt::format("{}", turtle.node_count()), limit);
+        return lsystem::too_many_nodes(grammar, fmt::format("{} nodes", turtle.node_count()), limit);
     if (turtle.node_count() == 0)
-        return fail(Error{.message = fmt::format("nothing is drawn after {} steps", program->steps),
+        return fail(Error{.message = fmt::format("nothing is drawn after {} step{}", program->steps,
+                                                 program->steps == 1 ? "" : "s"),
                           .cure = "the axiom or a production needs an F or a '.'",
                           .file = grammar.source.name()});
     Document document = turtle.finish();

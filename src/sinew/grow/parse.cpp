@@ -152,6 +152,9 @@ bool Reader::ignore(Cursor& cursor) {
 }
 
 bool Reader::declare_modules(Cursor& cursor) {
+    if (!grammar_.axiom.empty() || !grammar_.productions.empty())
+        return cursor.wrong(cursor.offset(), "%modules must stand before the axiom and the productions",
+                            "their letters have been taken apart already");
     do {
         const Text name = cursor.name();
         if (name.text.size() < 2) return cursor.expected("a name of two or more letters");
@@ -175,8 +178,8 @@ bool Reader::symmetry(Cursor& cursor) {
     if (result.kind == Symmetry::Kind::radial) {
         const std::string_view rest = cursor.rest();
         const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), result.count);
-        if (code != std::errc{} || result.count < 2 || result.count > 1024)
-            return cursor.expected("how many copies there are, 2 to 1024");
+        if (code != std::errc{} || result.count < 2 || result.count > 1000)
+            return cursor.expected("how many copies there are, 2 to 1000");
         cursor.advance(static_cast<std::size_t>(end - rest.data()));
     }
     return cursor.at_end() || cursor.expected("the end of the line");

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace sinew::lsystem {
 
 void Rewriter::wrong(const Text& place, double value, const char* expected) {
     if (error_) return;
+    if (std::isnan(value)) value = std::numeric_limits<double>::quiet_NaN();  // of any sign
     error_ =
         grammar_.source
             .error(place.offset, fmt::format("the formula '{}' gives {} while growing", place.text, value),

@@ -1,0 +1,64 @@
+// Every file of examples/lsystems grows, and none of its beginnings does harm.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "grow/grow_testing.h"
+
+namespace sinew {
+namespace {
+
+std::vector<std::filesystem::path> examples() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(SINEW_EXAMPLES))
+        if (entry.path().extension() == ".lsys") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::string content(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+TEST(Examples, Grow) {
+    EXPECT_GE(examples().size(), 6u);
+    for (const auto& path : examples()) {
+        SCOPED_TRACE(path.filename());
+        const Document document = sinew::testing::grown(content(path));
+        EXPECT_GT(document.nodes.size(), 10u);
+        EXPECT_LT(document.nodes.size(), 20000u);
+    }
+}
+
+TEST(Examples, SayWhatTheirConstantsMean) {
+    for (const auto& path : examples())
+        for (const GrowConstant& constant : sinew::testing::parsed(content(path)).constants)
+            EXPECT_FALSE(constant.remark.empty()) << path << " " << constant.name;
+}
+
+TEST(Examples, EveryPrefixGrowsOrSaysWhere) {
+    for (const auto& path : examples()) {
+        const std::string text = content(path);
+        for (std::size_t length = 0; length < text.size(); ++length) {
+            const std::string prefix = text.substr(0, length);
+            const auto grammar = parse_grammar(prefix, "prefix");
+            if (grammar) {
+                (void)grow(*grammar, {.steps = 3, .limit = 2000});
+                continue;
+            }
+            const Error& error = grammar.error();
+            const auto lines = std::count(prefix.begin(), prefix.end(), '\n') + 1;
+            EXPECT_EQ(error.file, "prefix");
+            EXPECT_TRUE(error.line >= 1 && error.line <= lines) << error.text();
+            EXPECT_TRUE(error.column >= 1 && error.column <= static_cast<std::int64_t>(length) + 1)
+                << error.text();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace sinew
