@@ -1,0 +1,96 @@
+"""What the scripts that make our examples share: a skeleton under construction, and its file.
+
+World: z is up, models face -y, lengths are in the document's unit. A symmetric skeleton is drawn on the side x >= 0; nodes
+with x = 0 are drawn once.
+"""
+import json
+import math
+import pathlib
+
+EXAMPLES = pathlib.Path(__file__).resolve().parent.parent.parent / "examples"
+
+
+class Skeleton:
+    def __init__(self, unit="m", mirrored=False):
+        self.unit = unit
+        self.mirrored = mirrored
+        self.nodes = []
+        self.links = []
+
+    def node(self, parent, position, radius, name=None, **keys):
+        """Adds a node; returns its id. `parent` is an id, None for a root; `keys` are further keys of the format."""
+        node = {"id": len(self.nodes) + 1}
+        if parent is not None:
+            node["parent"] = parent
+        node["position"] = [round(float(x), 4) + 0.0 for x in position]
+        node["radius"] = round(float(radius), 4)
+        if name:
+            node["name"] = name
+        node.update(keys)
+        self.nodes.append(node)
+        return node["id"]
+
+    def chain(self, parent, points, name=None, **tip):
+        """Adds nodes (x, y, z, radius), each the child of the one before; returns the ids. `tip`: keys of the last."""
+        ids = []
+        for i, (x, y, z, r) in enumerate(points):
+            numbered = name and (name if len(points) == 1 else f"{name} {i + 1}")
+            keys = tip if i + 1 == len(points) else {}
+            parent = self.node(parent, (x, y, z), r, numbered, **keys)
+            ids.append(parent)
+        return ids
+
+    def link(self, a, b):
+        """A bone more, between nodes that are there: it closes a cycle."""
+        self.links.append([a, b])
+
+    def position(self, node):
+        return self.nodes[node - 1]["position"]
+
+    def document(self):
+        document = {"format": "sinew", "version": 1, "unit": self.unit}
+        if self.mirrored:
+            document["symmetry"] = {"mirror": "x"}
+        document["nodes"] = self.nodes
+        if self.links:
+            document["links"] = self.links
+        return document
+
+    def save(self, name):
+        """Writes examples/NAME.sinew, a node a line."""
+        document = self.document()
+        lines = [f'{json.dumps(key)}: {json.dumps(value)}' for key, value in document.items() if key != "nodes"]
+        nodes = ",\n".join("  " + json.dumps(node) for node in document["nodes"])
+        at = 4 if self.mirrored else 3
+        lines.insert(at, f'"nodes": [\n{nodes}]')
+        path = EXAMPLES / f"{name}.sinew"
+        path.write_text("{" + ",\n ".join(lines) + "}\n", encoding="utf-8")
+        print(f"{path.name}: {len(self.nodes)} nodes drawn" + (", mirrored" if self.mirrored else ""))
+
+
+def mix(a, b, t):
+    return tuple(x + (y - x) * t for x, y in zip(a, b))
+
+
+def spline(points, count):
+    """`count` tuples along a smooth curve through the points (Catmull-Rom), evenly over its parameter, ends included."""
+    result = []
+    spans = len(points) - 1
+    for i in range(count):
+        t = i * spans / (count - 1)
+        k = min(int(t), spans - 1)
+        t -= k
+        b, c = points[k], points[k + 1]
+        a = points[k - 1] if k > 0 else mix(c, b, 2)
+        d = points[k + 2] if k + 2 <= spans else mix(b, c, 2)
+        result.append(tuple(0.5 * (2 * q + (r - p) * t + (2 * p - 5 * q + 4 * r - s) * t * t + (3 * q - p - 3 * r + s) * t ** 3)
+                            for p, q, r, s in zip(a, b, c, d)))
+    return result
+
+
+def turn(vector, axis, degrees):
+    """The vector turned about a unit axis."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    (x, y, z), (u, v, w) = vector, axis
+    d = (x * u + y * v + z * w) * (1 - c)
+    return (x * c + (v * z - w * y) * s + u * d, y * c + (w * x - u * z) * s + v * d, z * c + (u * y - v * x) * s + w * d)
