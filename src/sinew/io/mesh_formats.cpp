@@ -5,10 +5,12 @@
 #include <exception>
 
 #include "sinew/io/files.h"
+#include "sinew/io/gltf_reader.h"
 #include "sinew/io/gltf_writer.h"
 #include "sinew/io/obj.h"
 #include "sinew/io/ply.h"
 #include "sinew/io/stl.h"
+#include "sinew/io/usda_reader.h"
 #include "sinew/io/usda_writer.h"
 #include "sinew/mesh/validate.h"
 
@@ -31,6 +33,11 @@ Result<QuadMesh> parse(std::string_view bytes, FormatName format, const std::str
             return parse_obj(bytes, name);
         case FormatName::ply:
             return parse_ply(bytes, name);
+        case FormatName::glb:
+        case FormatName::gltf:
+            return parse_gltf_mesh(bytes, name);
+        case FormatName::usda:
+            return parse_usda(bytes, name);
         default:
             return fail(ErrorKind::call, "this format cannot be read as a mesh");
     }

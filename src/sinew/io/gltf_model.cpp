@@ -1,0 +1,270 @@
+#include "sinew/io/gltf_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+
+#include "sinew/io/files.h"
+
+namespace sinew {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the file system callbacks are told: the folder that buffers may come from.
+struct Folder {
+    std::string path;
+};
+
+/// A buffer must be a plain file at or below the folder: a model has no business with the rest of the disk.
+bool is_buffer_file(const std::string& path, void* data) {
+    const std::string& folder = static_cast<const Folder*>(data)->path;
+    if (!path.starts_with(folder)) return false;
+    const fs::path inside = fs::path(path.substr(folder.size())).relative_path();
+    if (std::find(inside.begin(), inside.end(), "..") != inside.end()) return false;
+    std::error_code unknown;
+    return fs::is_regular_file(path, unknown);
+}
+
+bool read_buffer_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
+    const Result<std::string> bytes = read_file(path);
+    if (!bytes) return *error += bytes.error().text(), false;
+    out->assign(bytes->begin(), bytes->end());
+    return true;
+}
+
+std::string keep_path(const std::string& path, void*) { return path; }
+bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+}
+
+bool pass_over_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*,
+                     int, void*) {
+    return true;
+}
+
+/// The first line of what tinygltf has to say, which may be long.
+std::string first_line(const std::string& text) {
+    const std::string line = text.substr(0, text.find('\n'));
+    return line.substr(0, 200);
+}
+
+tl::unexpected<Error> wrong(const std::string& name, std::string message, std::string path = {}) {
+    return fail(Error{.message = std::move(message), .file = name, .path = std::move(path)});
+}
+
+Result<tinygltf::Model> load(std::string_view bytes, const std::string& name) {
+    Folder folder{fs::path(name).parent_path().string()};
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader(pass_over_image, nullptr);
+    loader.SetFsCallbacks({is_buffer_file, keep_path, read_buffer_file, write_nothing, &folder});
+    tinygltf::Model model;
+    std::string error, warning;
+    const unsigned size = static_cast<unsigned>(bytes.size());
+    const bool loaded =
+        bytes.starts_with("glTF")
+            ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                          reinterpret_cast<const unsigned char*>(bytes.data()), size,
+                                          folder.path)
+            : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder.path);
+    if (!loaded) return wrong(name, "this is no sound glTF file: " + first_line(error));
+    return model;
+}
+
+template <class List>
+bool exists(const List& list, int index) {
+    return index >= 0 && index < static_cast<int>(list.size());
+}
+
+/// Items in a buffer: where the first one is, and how far it is from one to the next.
+struct Items {
+    const unsigned char* first = nullptr;
+    std::size_t stride = 0;
+};
+
+/// Finds `count` items of `size` bytes, if they all lie in the buffer view.
+Result<Items> find_items(const tinygltf::Model& model, int view_index, std::size_t offset, std::size_t count,
+                         std::size_t size, const std::string& name) {
+    if (!exists(model.bufferViews, view_index))
+        return wrong(name, "there is no buffer view", fmt::format("/bufferViews/{}", view_index));
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(view_index)];
+    auto outside = [&] {
+        return wrong(name, "the data lead out of the buffer", fmt::format("/bufferViews/{}", view_index));
+    };
+    if (!exists(model.buffers, view.buffer)) return outside();
+    const std::vector<unsigned char>& data = model.buffers[static_cast<std::size_t>(view.buffer)].data;
+    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset) return outside();
+    const std::size_t stride = view.byteStride ? view.byteStride : size;
+    if (offset > view.byteLength) return outside();
+    const std::size_t room = view.byteLength - offset;
+    if (count > 0 && (size > room || (count - 1) > (room - size) / stride)) return outside();
+    return Items{data.data() + view.byteOffset + offset, stride};
+}
+
+template <class Number>
+double number_at(const unsigned char* at, bool normalized) {
+    Number number;
+    std::memcpy(&number, at, sizeof number);
+    const double value = static_cast<double>(number);
+    if (!normalized || !std::numeric_limits<Number>::is_integer) return value;
+    return std::max(value / static_cast<double>(std::numeric_limits<Number>::max()), -1.0);
+}
+
+double number_at(const unsigned char* at, int component, bool normalized) {
+    switch (component) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return number_at<std::int8_t>(at, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return number_at<std::uint8_t>(at, normalized);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return number_at<std::int16_t>(at, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return number_at<std::uint16_t>(at, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return number_at<std::uint32_t>(at, normalized);
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return number_at<float>(at, false);
+        default:
+            return 0;
+    }
+}
+
+class AccessorReader {
+  public:
+    AccessorReader(const tinygltf::Model& model, int index, int components, const std::string& name)
+        : model_(model), index_(index), components_(static_cast<std::size_t>(components)), name_(name) {}
+
+    Result<std::vector<double>> read() {
+        if (!exists(model_.accessors, index_)) return bad("there is no such accessor");
+        const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index_)];
+        const int width = tinygltf::GetComponentSizeInBytes(static_cast<unsigned>(accessor.componentType));
+        const int components = tinygltf::GetNumComponentsInType(static_cast<unsigned>(accessor.type));
+        if (width <= 0 || accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE)
+            return bad("a type of number that glTF does not have");
+        if (components != static_cast<int>(components_))
+            return bad(fmt::format("{} numbers an item, not {}", components, components_));
+        width_ = static_cast<std::size_t>(width);
+        if (accessor.bufferView < 0) return bad("an accessor without data of its own cannot be read");
+        auto items = find_items(model_, accessor.bufferView, accessor.byteOffset, accessor.count,
+                                components_ * width_, name_);
+        if (!items) return tl::unexpected(items.error());
+        std::vector<double> numbers(accessor.count * components_);
+        for (std::size_t i = 0; i < accessor.count; ++i) copy(accessor, *items, i, i, numbers);
+        if (auto done = replace_sparse(accessor, numbers); !done) return tl::unexpected(done.error());
+        return numbers;
+    }
+
+  private:
+    tl::unexpected<Error> bad(std::string message) const {
+        return wrong(name_, std::move(message), fmt::format("/accessors/{}", index_));
+    }
+
+    void copy(const tinygltf::Accessor& accessor, const Items& items, std::size_t from, std::size_t to,
+              std::vector<double>& numbers) const {
+        for (std::size_t k = 0; k < components_; ++k)
+            numbers[to * components_ + k] = number_at(items.first + from * items.stride + k * width_,
+                                                      accessor.componentType, accessor.normalized);
+    }
+
+    Result<void> replace_sparse(const tinygltf::Accessor& accessor, std::vector<double>& numbers) const {
+        const auto& sparse = accessor.sparse;
+        if (!sparse.isSparse) return {};
+        const int component = sparse.indices.componentType;
+        const int width = tinygltf::GetComponentSizeInBytes(static_cast<unsigned>(component));
+        if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 || width <= 0 ||
+            width > 4)
+            return bad("sparse values that make no sense");
+        const std::size_t count = static_cast<std::size_t>(sparse.count);
+        const auto places =
+            find_items(model_, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
+                       count, static_cast<std::size_t>(width), name_);
+        if (!places) return tl::unexpected(places.error());
+        const auto values =
+            find_items(model_, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
+                       count, components_ * width_, name_);
+        if (!values) return tl::unexpected(values.error());
+        for (std::size_t i = 0; i < count; ++i) {
+            const double place = number_at(places->first + i * places->stride, component, false);
+            if (!(place >= 0 && place < static_cast<double>(accessor.count)))
+                return bad("a sparse value of no item");
+            copy(accessor, *values, i, static_cast<std::size_t>(place), numbers);
+        }
+        return {};
+    }
+
+    const tinygltf::Model& model_;
+    int index_;
+    std::size_t components_;
+    const std::string& name_;
+    std::size_t width_ = 0;
+};
+
+/// From a node to its parent.
+Eigen::Matrix4d matrix_of(const tinygltf::Node& node) {
+    if (node.matrix.size() == 16) return Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
+    Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
+    if (node.translation.size() == 3)
+        matrix.translate(Vec3(node.translation[0], node.translation[1], node.translation[2]));
+    if (node.rotation.size() == 4) {
+        const Quat turn(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+        if (turn.norm() > 0) matrix.rotate(turn.normalized());
+    }
+    if (node.scale.size() == 3) matrix.scale(Vec3(node.scale[0], node.scale[1], node.scale[2]));
+    return matrix.matrix();
+}
+
+std::vector<int> roots_of(const tinygltf::Model& model) {
+    const int scene = model.defaultScene >= 0 ? model.defaultScene : 0;
+    if (exists(model.scenes, scene)) return model.scenes[static_cast<std::size_t>(scene)].nodes;
+    std::vector<char> is_child(model.nodes.size(), 0);
+    for (const tinygltf::Node& node : model.nodes)
+        for (const int child : node.children)
+            if (exists(model.nodes, child)) is_child[static_cast<std::size_t>(child)] = 1;
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < is_child.size(); ++i)
+        if (!is_child[i]) roots.push_back(static_cast<int>(i));
+    return roots;
+}
+
+}  // namespace
+
+Result<tinygltf::Model> load_gltf(std::string_view bytes, const std::string& name) try {
+    if (bytes.size() > std::numeric_limits<std::int32_t>::max())
+        return wrong(name, "a glTF file of more than 2 GiB cannot be read");
+    return load(bytes, name);
+} catch (const std::exception& error) {
+    return wrong(name, "this is no sound glTF file: " + first_line(error.what()));
+}
+
+Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int accessor, int components,
+                                          const std::string& name) {
+    return AccessorReader(model, accessor, components, name).read();
+}
+
+Result<std::vector<PlacedNode>> place_nodes(const tinygltf::Model& model, const std::string& name) {
+    std::vector<PlacedNode> placed;
+    std::vector<char> met(model.nodes.size(), 0);
+    auto place = [&](const std::vector<int>& nodes, const Eigen::Matrix4d& to_world) -> Result<void> {
+        for (const int node : nodes) {
+            if (!exists(model.nodes, node))
+                return wrong(name, "there is no such node", fmt::format("/nodes/{}", node));
+            if (std::exchange(met[static_cast<std::size_t>(node)], 1))
+                return wrong(name, "a node with two parents, or its own ancestor",
+                             fmt::format("/nodes/{}", node));
+            placed.push_back({node, to_world * matrix_of(model.nodes[static_cast<std::size_t>(node)])});
+        }
+        return {};
+    };
+    if (auto done = place(roots_of(model), Eigen::Matrix4d::Identity()); !done)
+        return tl::unexpected(done.error());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const Eigen::Matrix4d to_world = placed[i].to_world;
+        const std::vector<int>& children = model.nodes[static_cast<std::size_t>(placed[i].node)].children;
+        if (auto done = place(children, to_world); !done) return tl::unexpected(done.error());
+    }
+    return placed;
+}
+
+}  // namespace sinew

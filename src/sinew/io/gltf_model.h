@@ -1,0 +1,43 @@
+/// @file gltf_model.h
+/// glTF 2.0 files as tinygltf reads them, with every number of an accessor checked.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sinew/base/result.h"
+#include "sinew/base/vec.h"
+
+namespace sinew {
+
+/// Reads a .glb or a .gltf (the bytes tell which). Buffers in files of their own are looked for beside the
+/// file `name`, and nowhere else; images are passed over. Nothing that refers to something else by an index
+/// has been checked.
+Result<tinygltf::Model> load_gltf(std::string_view bytes, const std::string& name);
+
+/// The numbers of an accessor, `components` an item, with normalised integers as fractions and sparse values
+/// in place. Fails where the accessor does not exist, has another number of components, or leads out of its
+/// buffer.
+Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int accessor, int components,
+                                          const std::string& name);
+
+/// The nodes of the default scene (of all, where no scene is named: those without a parent), each with the
+/// matrix from it to the world, parents before children. Fails for indices that lead nowhere and for nodes
+/// met twice.
+struct PlacedNode {
+    int node = 0;
+    Eigen::Matrix4d to_world;
+};
+Result<std::vector<PlacedNode>> place_nodes(const tinygltf::Model& model, const std::string& name);
+
+/// glTF's y is up, ours z: turns a point or direction of glTF's world into ours.
+inline Eigen::Matrix4d gltf_to_z_up() {
+    Eigen::Matrix4d turn;
+    turn << 1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1;
+    return turn;
+}
+
+}  // namespace sinew
