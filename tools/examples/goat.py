@@ -1,7 +1,5 @@
 #!/usr/bin/env python3
 """A billy goat, 0.75 m at the withers: horns swept back, ears, beard, cloven feet, a short tail: examples/goat.sinew."""
-import math
-
 from skeleton import Skeleton, spline
 
 

@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
-"""A block of a body-centred cubic lattice, two cells a side, as it is printed to save weight: examples/lattice.sinew.
-
-35 nodes, 64 struts and the twelve edges of the block: every mesh of it has many handles.
-"""
+"""A block of a body-centred cubic lattice, three cells a side with a frame round it, as it is printed to save weight:
+examples/lattice.sinew. 91 nodes and 252 struts close 162 cycles."""
 import itertools
 
 from skeleton import Skeleton

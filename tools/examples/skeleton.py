@@ -6,6 +6,7 @@ with x = 0 are drawn once.
 import json
 import math
 import pathlib
+import sys
 
 EXAMPLES = pathlib.Path(__file__).resolve().parent.parent.parent / "examples"
 
@@ -47,25 +48,30 @@ class Skeleton:
     def position(self, node):
         return self.nodes[node - 1]["position"]
 
-    def document(self):
-        document = {"format": "sinew", "version": 1, "unit": self.unit}
-        if self.mirrored:
-            document["symmetry"] = {"mirror": "x"}
-        document["nodes"] = self.nodes
-        if self.links:
-            document["links"] = self.links
-        return document
+    def with_twins(self):
+        """The nodes and links of a mirrored skeleton with both sides drawn; nodes with x = 0 are their own twins."""
+        nodes, twin = [dict(node) for node in self.nodes], {}
+        for node in self.nodes:
+            x, y, z = node["position"]
+            twin[node["id"]] = node["id"] if x == 0 else len(nodes) + 1
+            if x == 0:
+                continue
+            nodes.append({**node, "id": twin[node["id"]], "parent": twin[node["parent"]], "position": [-x, y, z]})
+            if "name" in node:
+                nodes[node["id"] - 1]["name"], nodes[-1]["name"] = "left " + node["name"], "right " + node["name"]
+        mirrored = [[twin[a], twin[b]] for a, b in self.links if [twin[a], twin[b]] != [a, b]]
+        return nodes, self.links + mirrored
 
     def save(self, name):
-        """Writes examples/NAME.sinew, a node a line."""
-        document = self.document()
-        lines = [f'{json.dumps(key)}: {json.dumps(value)}' for key, value in document.items() if key != "nodes"]
-        nodes = ",\n".join("  " + json.dumps(node) for node in document["nodes"])
-        at = 4 if self.mirrored else 3
-        lines.insert(at, f'"nodes": [\n{nodes}]')
-        path = EXAMPLES / f"{name}.sinew"
+        """Writes NAME.sinew, a node a line, into the folder named on the command line or else into examples/."""
+        nodes, links = self.with_twins() if self.mirrored else (self.nodes, self.links)
+        lines = ['"format": "sinew"', '"version": 1', f'"unit": {json.dumps(self.unit)}',
+                 '"nodes": [\n' + ",\n".join("  " + json.dumps(node) for node in nodes) + "]"]
+        if links:
+            lines.append(f'"links": {json.dumps(links)}')
+        path = (pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else EXAMPLES) / f"{name}.sinew"
         path.write_text("{" + ",\n ".join(lines) + "}\n", encoding="utf-8")
-        print(f"{path.name}: {len(self.nodes)} nodes drawn" + (", mirrored" if self.mirrored else ""))
+        print(f"{path}: {len(nodes)} nodes")
 
 
 def mix(a, b, t):
