@@ -31,24 +31,23 @@ def head(s, chest):
 def leg(s, parent, name, points, foot):
     *_, ankle = s.chain(parent, points, name)
     x, y, z, _ = points[-1]
-    for toe, degrees in (("outer", 32), ("middle", 0), ("inner", -32)):
+    for toe, degrees in (("outer", 42), ("middle", 0), ("inner", -42)):
         a = math.radians(degrees)
         dx, dy = math.sin(a), -math.cos(a)
-        s.chain(ankle, [(x + foot * dx, y + foot * dy, 0.085, 0.075), (x + 1.9 * foot * dx, y + 1.9 * foot * dy, 0.03, 0.02)],
+        s.chain(ankle, [(x + foot * dx, y + foot * dy, 0.085, 0.066), (x + 1.9 * foot * dx, y + 1.9 * foot * dy, 0.03, 0.02)],
                 f"{name} {toe} claw", type="cone")
 
 
 def wing(s, chest):
-    """Shoulder, elbow and wrist; four long fingers that would stretch the skin, and the claw of the thumb."""
-    *_, wrist = s.chain(chest, [(0.5, -0.45, 2.3, 0.21), (1.05, 0.05, 2.95, 0.15), (1.75, 0.2, 3.5, 0.12), (2.3, -0.55, 4.15, 0.1)], "wing")
-    s.node(wrist, (2.42, -1.0, 4.42), 0.05, "thumb claw", type="cone")
-    fingers = [((3.5, -0.5, 4.75), (5.0, 0.15, 4.35)), ((3.4, 0.2, 4.35), (4.6, 1.2, 3.6)),
-               ((3.0, 0.7, 3.9), (3.75, 1.85, 2.95)), ((2.45, 0.85, 3.5), (2.7, 2.05, 2.5))]
+    """Shoulder, elbow and wrist; three long fingers that would stretch the skin, and the claw of the thumb."""
+    *_, wrist = s.chain(chest, [(0.52, -0.42, 2.32, 0.22), (1.1, 0.1, 3.05, 0.16), (1.8, 0.35, 3.6, 0.13), (2.4, -0.5, 4.35, 0.12)], "wing")
+    s.node(wrist, (2.5, -1.05, 4.68), 0.05, "thumb claw", type="cone")
+    fingers = [((3.95, -0.35, 5.05), (6.0, 0.6, 4.35)), ((3.7, 0.85, 4.35), (5.1, 2.2, 3.2)), ((2.9, 1.35, 3.7), (3.4, 2.7, 2.3))]
     for i, (middle, tip) in enumerate(fingers):
         start = s.position(wrist)
         near = tuple(a + 0.3 * (b - a) for a, b in zip(start, middle))
         far = tuple(0.5 * (a + b) + 0.06 * (c - a) for a, b, c in zip(middle, tip, start))
-        s.chain(wrist, [(*near, 0.06), (*middle, 0.055), (*far, 0.045), (*tip, 0.02)], f"finger {i + 1}", type="cone")
+        s.chain(wrist, [(*near, 0.075), (*middle, 0.065), (*far, 0.05), (*tip, 0.02)], f"finger {i + 1}", type="cone")
 
 
 def main():

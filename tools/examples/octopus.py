@@ -18,7 +18,7 @@ def arm(index):
     for k in range(SEGMENTS):
         points.append((x, y, z, radius))
         t = (k + 1) / SEGMENTS
-        heading += (swing / SEGMENTS + curl * 4.2 * t ** 2.2)
+        heading += (swing / SEGMENTS + curl * 3.2 * t ** 2.2)
         x += step * math.cos(heading)
         y += step * math.sin(heading)
         radius = 0.17 * (1 - t) ** 0.8 + 0.018

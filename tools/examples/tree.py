@@ -53,14 +53,14 @@ def limb(s, numbers, parent, position, direction, radius, length):
 
 
 def main():
-    s, numbers = Skeleton(), Sequence(20)
+    s, numbers = Skeleton(), Sequence(17)
     base = s.node(None, (0, 0, 0.25), 0.34, "base")
     for i in range(5):
         a = math.radians(72 * i + numbers.between(-14, 14))
         reach = numbers.between(0.85, 1.2)
-        s.chain(base, [(0.55 * math.cos(a), 0.55 * math.sin(a), 0.06, 0.15),
-                       (reach * math.cos(a + 0.15), reach * math.sin(a + 0.15), -0.04, 0.085),
-                       (1.6 * reach * math.cos(a + 0.1), 1.6 * reach * math.sin(a + 0.1), -0.16, 0.03)], f"root {i + 1}", type="cone")
+        s.chain(base, [(0.55 * math.cos(a), 0.55 * math.sin(a), 0.13, 0.15),
+                       (reach * math.cos(a + 0.15), reach * math.sin(a + 0.15), 0.07, 0.085),
+                       (1.6 * reach * math.cos(a + 0.1), 1.6 * reach * math.sin(a + 0.1), 0.0, 0.03)], f"root {i + 1}", type="cone")
     trunk = s.chain(base, [(0.04, 0.02, 0.85, 0.25), (0.02, -0.05, 1.5, 0.225)], "trunk")
     limb(s, numbers, trunk[-1], s.position(trunk[-1]), (0, 0, 1), 0.22, 1.1)
     s.save("tree")

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""tools/examples: every script makes its example again, byte by byte, and the documents are what the scripts promise."""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCRIPTS = sorted(p for p in (ROOT / "tools" / "examples").glob("*.py") if p.name != "skeleton.py")
+MIRRORED = {"ant", "dragon", "goat", "humanoid"}
+
+
+def balls(document):
+    return {(*node["position"], node["radius"]) for node in document["nodes"]}
+
+
+class Examples(unittest.TestCase):
+    def test_scripts_make_the_examples(self):
+        self.assertGreaterEqual(len(SCRIPTS), 8)
+        with tempfile.TemporaryDirectory() as folder:
+            for script in SCRIPTS:
+                subprocess.run([sys.executable, script, folder], check=True, stdout=subprocess.DEVNULL)
+                name = script.stem + ".sinew"
+                made = (pathlib.Path(folder) / name).read_text(encoding="utf-8")
+                self.assertEqual(made, (ROOT / "examples" / name).read_text(encoding="utf-8"), f"run {script}")
+
+    def test_bones_reach_out_of_the_smaller_ball(self):
+        """A bone that ends inside its neighbour's ball draws nothing."""
+        for script in SCRIPTS:
+            nodes = self.document(script.stem)["nodes"]
+            by_id = {node["id"]: node for node in nodes}
+            for node in nodes:
+                parent = by_id.get(node.get("parent"))
+                if parent:
+                    length = math.dist(node["position"], parent["position"])
+                    reach = length + node["radius"]
+                    self.assertGreater(reach, parent["radius"], f"{script.stem}, node {node['id']}")
+
+    def test_creatures_are_mirror_images(self):
+        for name in MIRRORED:
+            here = balls(self.document(name))
+            self.assertEqual(here, {(-x, y, z, r) for x, y, z, r in here}, name)
+
+    @staticmethod
+    def document(name):
+        return json.loads((ROOT / "examples" / f"{name}.sinew").read_text(encoding="utf-8"))
+
+
+if __name__ == "__main__":
+    unittest.main()
