@@ -1,0 +1,154 @@
+#include "cli/files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "cli/interrupt.h"
+#include "sinew/io/files.h"
+
+namespace sinew::cli {
+namespace {
+
+/// Waiting for standard input may be broken off at any time.
+template <class Read>
+auto read_from(const Job& job, const Read& read) {
+    std::optional<InterruptsEndProgram> waiting;
+    if (job.input == "-") waiting.emplace();
+    return read();
+}
+
+struct FaceCounts {
+    std::int64_t quads = 0, triangles = 0, others = 0;
+};
+
+FaceCounts count_faces(const QuadMesh& mesh) {
+    FaceCounts counts;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const std::size_t size = mesh.face(f).size();
+        ++(size == 4 ? counts.quads : size == 3 ? counts.triangles : counts.others);
+    }
+    return counts;
+}
+
+}  // namespace
+
+Result<void> heed_interrupt() {
+    if (interrupted()) return Progress::stopped();
+    return {};
+}
+
+void add_inputs(CLI::App& command, FileOptions& files, const std::string& what) {
+    command.add_option("IN", files.inputs, what + "; - is standard input")->required()->type_name("FILE");
+    command.add_option("--from", files.from, "Format of the input, where its extension does not say")
+        ->type_name("FORMAT");
+}
+
+void add_output(CLI::App& command, FileOptions& files, const std::string& what) {
+    command
+        .add_option("-o,--output", files.output, what + "; - is standard output; a folder for several inputs")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--to", files.to, "Format of the output, where its extension does not say")
+        ->type_name("FORMAT");
+}
+
+void add_reporting(CLI::App& command, Session& session) {
+    command.add_flag("--json", session.json, "Print the result as JSON, one object a line and input");
+    command.add_flag("-q,--quiet", session.quiet, "No summary, no warnings, no progress");
+}
+
+void add_strict(CLI::App& command, Session& session) {
+    command.add_flag("--strict", session.strict, "Refuse what would be repaired with a warning");
+}
+
+CLI::Validator at_least(std::int64_t least, std::int64_t most) {
+    const std::string wanted = fmt::format("a whole number from {} to {}", least, most);
+    return CLI::Validator(
+        [=](const std::string& text) {
+            std::int64_t value = 0;
+            const bool good = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+            return good ? std::string() : fmt::format("'{}' is not {}", text, wanted);
+        },
+        "");
+}
+
+CLI::Validator one_of(std::vector<std::string> choices) {
+    const std::string list = fmt::format("{}", fmt::join(choices, ", "));
+    return CLI::Validator(
+        [choices = std::move(choices), list](const std::string& text) {
+            const bool good = std::find(choices.begin(), choices.end(), text) != choices.end();
+            return good ? std::string() : fmt::format("'{}' is none of {}", text, list);
+        },
+        "");
+}
+
+Result<bool> is_mesh(const Job& job, const FileOptions& files) {
+    if (choose_format(job.input, files.from, FormatUse::read_skeleton)) return false;
+    const auto format = choose_format(job.input, files.from, FormatUse::read_mesh);
+    if (!format) return fail(format.error());
+    return true;
+}
+
+Result<ReadSkeleton> read_input_skeleton(Session& session, const Job& job, const FileOptions& files,
+                                         bool validate) {
+    const ReadOptions options{.format = files.from, .strict = session.strict, .validate = validate};
+    auto read = read_from(job, [&] { return read_skeleton(job.input, options); });
+    if (!read) return read;
+    if (const auto on = heed_interrupt(); !on) return fail(on.error());
+    if (const auto told = session.warn(job.input, read->warnings); !told) return fail(told.error());
+    return read;
+}
+
+Result<QuadMesh> read_input_mesh(const Job& job, const FileOptions& files) {
+    auto mesh = read_from(job, [&] { return read_mesh(job.input, files.from); });
+    if (const auto on = heed_interrupt(); !on) return fail(on.error());
+    return mesh;
+}
+
+Result<std::string> read_input_text(const Job& job) {
+    return read_from(job, [&] { return read_file(job.input); });
+}
+
+Result<void> check_mesh_output(const Job& job, const FileOptions& files) {
+    const auto format = choose_format(job.output, files.to, FormatUse::write_mesh);
+    if (!format) return fail(format.error());
+    return {};
+}
+
+Result<void> write_output_mesh(const QuadMesh& mesh, const Job& job, const FileOptions& files,
+                               MeshWriteOptions options) {
+    if (const auto on = heed_interrupt(); !on) return on;
+    options.format = files.to;
+    return write_mesh(mesh, job.output, options);
+}
+
+Result<void> write_output_skeleton(Session& session, const Document& document, const Job& job,
+                                   const FileOptions& files) {
+    if (const auto on = heed_interrupt(); !on) return on;
+    const auto written = write_skeleton(document, job.output, files.to);
+    if (!written) return fail(written.error());
+    return session.warn(job.output == "-" ? job.input : job.output, *written);
+}
+
+Json counts_json(const QuadMesh& mesh) {
+    const FaceCounts counts = count_faces(mesh);
+    Json json{{"vertices", mesh.vertex_count()},
+              {"faces", mesh.face_count()},
+              {"quads", counts.quads},
+              {"triangles", counts.triangles}};
+    if (counts.others > 0) json["other_faces"] = counts.others;
+    return json;
+}
+
+std::string counts_text(const QuadMesh& mesh) {
+    const FaceCounts counts = count_faces(mesh);
+    std::string text = fmt::format("{} vertices, {} quads", mesh.vertex_count(), counts.quads);
+    if (counts.triangles > 0) text += fmt::format(", {} triangles", counts.triangles);
+    if (counts.others > 0) text += fmt::format(", {} larger faces", counts.others);
+    return text;
+}
+
+}  // namespace sinew::cli

@@ -1,0 +1,53 @@
+/// @file files.h
+/// Reading and writing for the commands, with warnings told and Ctrl-C heeded; and the options that name
+/// files.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/session.h"
+#include "sinew/io/mesh_formats.h"
+#include "sinew/io/skeleton_formats.h"
+#include "sinew/mesh/quad_mesh.h"
+
+namespace sinew::cli {
+
+// Options: IN... with --from; -o with --to; --json and --quiet; --strict.
+void add_inputs(CLI::App& command, FileOptions& files, const std::string& what);
+void add_output(CLI::App& command, FileOptions& files, const std::string& what);
+void add_reporting(CLI::App& command, Session& session);
+void add_strict(CLI::App& command, Session& session);
+
+/// A check for numbers: `least` or more, at most a billion (or `most`).
+CLI::Validator at_least(std::int64_t least, std::int64_t most = 1'000'000'000);
+
+/// A check for words: one of the choices.
+CLI::Validator one_of(std::vector<std::string> choices);
+
+/// Fails (kind cancelled) once Ctrl-C was pressed: look before anything is written.
+Result<void> heed_interrupt();
+
+/// Is the input read as a mesh? (Formats that hold both, such as glTF, are read as skeletons.) Fails for none
+/// of both.
+Result<bool> is_mesh(const Job& job, const FileOptions& files);
+
+/// @param validate  false: a native document that validate() refuses is read all the same
+Result<ReadSkeleton> read_input_skeleton(Session& session, const Job& job, const FileOptions& files,
+                                         bool validate = true);
+Result<QuadMesh> read_input_mesh(const Job& job, const FileOptions& files);
+Result<std::string> read_input_text(const Job& job);
+
+/// Fails if a mesh cannot be written where the job wants it, before any work is done.
+Result<void> check_mesh_output(const Job& job, const FileOptions& files);
+/// @param options  its format is that of the job
+Result<void> write_output_mesh(const QuadMesh& mesh, const Job& job, const FileOptions& files,
+                               MeshWriteOptions options = {});
+Result<void> write_output_skeleton(Session& session, const Document& document, const Job& job,
+                                   const FileOptions& files);
+
+/// {"vertices", "faces", "quads", "triangles"} of a mesh, and the same as text: "1,234 vertices, 1,230
+/// quads".
+Json counts_json(const QuadMesh& mesh);
+std::string counts_text(const QuadMesh& mesh);
+
+}  // namespace sinew::cli

@@ -1,0 +1,32 @@
+#include "cli/interrupt.h"
+
+#include <signal.h>
+
+namespace sinew::cli {
+namespace {
+
+std::atomic<bool> flag = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
+
+void note_signal(int) { flag.store(true, std::memory_order_relaxed); }
+
+void handle_with(void (*handler)(int)) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);  // the second signal is the system's
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+}  // namespace
+
+void catch_interrupts() { handle_with(note_signal); }
+
+const std::atomic<bool>& interrupted() { return flag; }
+
+InterruptsEndProgram::InterruptsEndProgram() { handle_with(SIG_DFL); }
+
+InterruptsEndProgram::~InterruptsEndProgram() { handle_with(note_signal); }
+
+}  // namespace sinew::cli
