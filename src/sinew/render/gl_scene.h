@@ -24,7 +24,7 @@ enum class Shading : std::uint8_t { lit, matcap, flat };
 /// right, y up, z to the eye), of any length but zero; strengths from 0.
 struct Lights {
     Vec3f key{-0.45f, 0.62f, 0.64f};
-    float key_strength = 0.72f;
+    float key_strength = 0.95f;
     Vec3f fill{0.80f, 0.05f, 0.60f};
     float fill_strength = 0.16f;
     Vec3f rim{0.35f, 0.45f, -0.82f};
@@ -34,7 +34,7 @@ struct Lights {
 struct DrawOptions {
     Shading shading = Shading::lit;
     bool mesh = true;                   ///< the surface
-    Colour mesh_colour{212, 196, 182};  ///< warm clay
+    Colour mesh_colour{222, 198, 178};  ///< warm clay
     float opacity = 1;                  ///< below 1 the glyphs inside are seen through the nearest surface
     bool wire = false;                  ///< the edges of the faces
     float wire_width = 1.2f;            ///< pixels, whatever the distance

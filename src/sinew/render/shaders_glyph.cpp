@@ -107,7 +107,7 @@ out vec4 colour;
 
 void main() {
     vec3 n = normalize(world_normal);
-    vec2 seen = mesh_colour.a < 1.0 ? vec2(1.0) : visibility(world, n, grain());
+    vec2 seen = mesh_colour.a < 1.0 ? vec2(1.0) : visibility(world, n, grain(), 1.5);
     vec3 lit = shade(surface_colour.rgb, mat3(view) * n, towards_eye(eye), seen);
     colour = vec4(to_srgb(lit) * surface_colour.a, surface_colour.a);
 }

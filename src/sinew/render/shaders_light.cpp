@@ -38,11 +38,11 @@ float sky_seen(int map, vec3 world, vec3 normal, vec2 shift) {
 }
 
 // x: share of the key light, y: share of the sky, both 1 where nothing is in the way.
-// `grain` in 0..1 moves the look-ups about, so that what few maps see has soft edges.
-vec2 visibility(vec3 world, vec3 normal, float grain) {
+// `grain` in 0..1 moves the look-ups about by `texels`, so that what few maps see has soft edges.
+vec2 visibility(vec3 world, vec3 normal, float grain, float texels) {
     if (viewport.w == 0.0) return vec2(1.0);
     float turn = 6.2831853 * grain;
-    vec2 shift = vec2(cos(turn), sin(turn)) * (1.5 / 512.0);
+    vec2 shift = vec2(cos(turn), sin(turn)) * (texels / 512.0);
     float key_sum = 0.0;
     mat2 golden = mat2(-0.7373, 0.6755, -0.6755, -0.7373);
     for (int i = 0; i < sky_key_count; ++i) {
@@ -84,7 +84,7 @@ float gloss(vec3 n, vec3 l, vec3 v, float roughness) {
 // A soft key from the upper left, a weak fill from the right, a rim from behind, the sky above and the ground below.
 vec3 shade(vec3 base, vec3 n, vec3 v, vec2 seen) {
     float height = 0.5 + 0.5 * dot(n, up.xyz);
-    vec3 ambient = mix(vec3(0.17, 0.155, 0.145), vec3(0.44, 0.46, 0.50), height) * seen.y;
+    vec3 ambient = mix(vec3(0.16, 0.145, 0.14), vec3(0.38, 0.41, 0.47), height) * seen.y;
     vec3 key_colour = vec3(1.0, 0.96, 0.90) * key.w * seen.x;
     vec3 fill_colour = vec3(0.80, 0.88, 1.0) * fill.w * mix(0.35, 1.0, seen.y);
     vec3 light = ambient + key_colour * max(dot(n, key.xyz), 0.0) + fill_colour * max(dot(n, fill.xyz), 0.0);

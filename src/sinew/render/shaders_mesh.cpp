@@ -70,7 +70,7 @@ void main() {
     float inside = gl_FrontFacing ? 1.0 : 0.0;
     if (inside == 0.0) { n = -n; n_eye = -n_eye; }
     vec3 base = mix(mesh_colour.rgb * vec3(0.75, 0.55, 0.5), mesh_colour.rgb, inside);
-    vec3 lit = style.x > 0.5 && style.x < 1.5 ? matcap(base, n_eye) : shade(base, n_eye, v, visibility(world, n, grain()));
+    vec3 lit = style.x > 0.5 && style.x < 1.5 ? matcap(base, n_eye) : shade(base, n_eye, v, visibility(world, n, grain(), 1.5));
     float opacity = mesh_colour.a;
     if (opacity < 1.0) opacity = mix(opacity, 1.0, 0.6 * pow(1.0 - abs(dot(n_eye, v)), 2.0));
     vec3 surface = mix(to_srgb(lit), wire_colour.rgb, covered * wire_colour.a);

@@ -151,7 +151,8 @@ void main() {
     vec2 place = 2.0 * vec2(gl_VertexID % points, gl_VertexID / points) / float(points - 1) - 1.0;
     vec3 world = vec3(extent.xy + 2.5 * extent.w * place * abs(place), style.z);
     gl_Position = projection * view * vec4(world, 1.0);
-    vec2 seen = visibility(world, vec3(0.0, 0.0, 1.0), 0.0);
+    vec2 seen = vec2(0.0);
+    for (int i = 0; i < 4; ++i) seen += 0.25 * visibility(world, vec3(0.0, 0.0, 1.0), 0.25 * float(i) + 0.1, 2.0 + float(i));
     float hidden = 1.0 - (0.5 * seen.x + 0.5 * seen.y);
     dark = style.w * hidden * smoothstep(0.0, 0.25, hidden);  // what only few directions see is left out
     dark *= 1.0 - smoothstep(1.0, 2.4, length(world.xy - extent.xy) / extent.w);
