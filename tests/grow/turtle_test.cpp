@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "grow/grow_testing.h"
+#include "sinew/skeleton/frames.h"
 
 namespace sinew {
 namespace {
@@ -99,26 +100,18 @@ TEST(Turtle, KeepsSectionAndScaleOfThePenUntilTheBranchEnds) {
     EXPECT_EQ(d.nodes[4].scale, (std::array<double, 3>{1, 1, 3}));
 }
 
-/// x and y of the local frame that the format defines, for a node with this z.
-std::pair<Vec3, Vec3> local_frame(const Vec3& z, double roll) {
-    const Vec3 reference = std::abs(z.x()) > 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
-    const Vec3 x = (reference - reference.dot(z) * z).normalized(), y = z.cross(x);
-    const double a = roll * 3.141592653589793 / 180;
-    return {std::cos(a) * x + std::sin(a) * y, std::cos(a) * y - std::sin(a) * x};
-}
-
 TEST(Turtle, WritesItsFrameIntoNodes) {
     for (const char* turns : {"+(20)", "-(90)/(33)", "&(40)\\(77)+(10)", "|^(5)/(200)"}) {
-        // A cube at a leaf; at the root and at a branch; the first and second F of frames show left and up.
-        const Document d = grown(std::string("%axiom ") + turns + "@cube . [+F][^F] @cube F");
-        const Vec3 left = d.nodes[1].position, up = d.nodes[2].position, heading = d.nodes[3].position;
-        const Quat root = d.nodes[0].rotation.value();
-        EXPECT_TRUE((root * Vec3(1, 0, 0)).isApprox(left, 1e-13));
-        EXPECT_TRUE((root * Vec3(0, 1, 0)).isApprox(up, 1e-13));
-        EXPECT_TRUE((root * Vec3(0, 0, 1)).isApprox(heading, 1e-13));
-        const auto [x, y] = local_frame(heading.normalized(), d.nodes[3].roll);
-        EXPECT_TRUE(x.isApprox(left, 1e-12));
-        EXPECT_TRUE(y.isApprox(up, 1e-12));
+        // Cubes at the root, at a branch and at a leaf. The bones at the root and at the branch show left,
+        // up, heading.
+        const Document d =
+            grown(std::string("%axiom ") + turns + "@cube . [+F] [^F] @cube F [+F] [^F] @rectangular F F");
+        const auto bones = bones_of(d);
+        const Adjacency neighbours = adjacency(static_cast<std::int32_t>(d.nodes.size()), bones);
+        Mat3 turtle;
+        turtle << d.nodes[1].position, d.nodes[2].position, d.nodes[3].position;
+        for (int node : {0, 3, 6, 7})
+            EXPECT_TRUE(local_frame(d, bones, neighbours, node).isApprox(turtle, 1e-12)) << turns << node;
     }
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "sinew/grow/portable_math.h"
+#include "sinew/skeleton/frames.h"
+#include "sinew/skeleton/graph.h"
 
 namespace sinew::lsystem {
 namespace {
@@ -210,37 +212,37 @@ void Turtle::make_level() {
     state_.up = state_.heading.cross(state_.left);
 }
 
-double roll_of(const Vec3& along, const Vec3& left) {
-    const Vec3 reference = std::abs(along.x()) > 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
-    const Vec3 x = (reference - reference.dot(along) * along).normalized(), y = along.cross(x);
-    return arc_tangent(left.dot(y), left.dot(x));
+/// Leaf types are kept at leaves; other nodes that were drawn with one are spheres.
+void Turtle::keep_leaf_types() {
+    std::vector<std::int32_t> bones(document_.nodes.size(), 0);
+    for (const Node& node : document_.nodes)
+        if (node.parent >= 0) ++bones[node.id], ++bones[node.parent];
+    for (Node& node : document_.nodes)
+        if (for_leaves(node.type) && bones[node.id] != 1) node.type = NodeType::sphere;
 }
 
-Document Turtle::finish() {
-    auto& nodes = document_.nodes;
-    std::vector<std::int32_t> bones(nodes.size(), 0), child(nodes.size(), -1);
-    for (std::int32_t i = 0; i < std::ssize(nodes); ++i) {
-        if (nodes[i].parent < 0) continue;
-        ++bones[i], ++bones[nodes[i].parent];
-        child[nodes[i].parent] = i;
-    }
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (for_leaves(nodes[i].type) && bones[i] != 1) nodes[i].type = NodeType::sphere;
+/// The turtle's frame (x left, y up, z heading) as what the format has for it: a rotation for cubes and balls
+/// at a root or a branch, else the roll that brings x closest.
+void Turtle::write_frames() {
+    const auto bones = bones_of(document_);
+    const Adjacency neighbours = adjacency(static_cast<std::int32_t>(document_.nodes.size()), bones);
     for (const Frame& frame : frames_) {
-        Node& node = nodes[frame.node];
-        if (node.parent < 0 || bones[frame.node] > 2) {
+        Node& node = document_.nodes[frame.node];
+        const bool turnable = node.type == NodeType::cube || node.type == NodeType::ball;
+        if (turnable && (node.parent < 0 || neighbours.degree(frame.node) > 2)) {
             Mat3 axes;
             axes << frame.left, frame.up, frame.heading;
             node.rotation = Quat(axes);
+            continue;
         }
-        if (node.parent < 0) continue;
-        Vec3 along = (node.position - nodes[node.parent].position).normalized();
-        if (bones[frame.node] == 2) {
-            const Vec3 sum = along + (nodes[child[frame.node]].position - node.position).normalized();
-            if (sum.norm() > 1e-9) along = sum.normalized();
-        }
-        node.roll = roll_of(along, frame.left);
+        const Mat3 unrolled = local_frame(document_, bones, neighbours, frame.node);
+        node.roll = arc_tangent(frame.left.dot(unrolled.col(1)), frame.left.dot(unrolled.col(0)));
     }
+}
+
+Document Turtle::finish() {
+    keep_leaf_types();
+    if (!frames_.empty()) write_frames();
     return std::move(document_);
 }
 

@@ -66,6 +66,8 @@ class Turtle {
     bool set_joint(double sharpness);
     void bend();
     void make_level();
+    void keep_leaf_types();
+    void write_frames();
     bool fail(std::string what);
 
     TurtleDefaults defaults_;
@@ -77,10 +79,5 @@ class Turtle {
     std::int64_t count_ = 0, limit_;
     std::string wrong_;
 };
-
-/// Writes the frame of a node (x left, y up, z heading) as `rotation` for a root or a branch, else as `roll`
-/// about the z axis of its local frame (see docs/format).
-/// @param along  direction of its bone, or the bisector of its two bones
-double roll_of(const Vec3& along, const Vec3& left);
 
 }  // namespace sinew::lsystem
