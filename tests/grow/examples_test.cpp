@@ -25,7 +25,7 @@ std::string content(const std::filesystem::path& path) {
 }
 
 TEST(Examples, Grow) {
-    EXPECT_GE(examples().size(), 6u);
+    EXPECT_GE(examples().size(), 12u);
     for (const auto& path : examples()) {
         SCOPED_TRACE(path.filename());
         const Document document = sinew::testing::grown(content(path));
