@@ -114,8 +114,8 @@ TEST(Limit, KeepsCirclesDiscsAndTips) {
     EXPECT_EQ(limit[bottom], mesh.positions[bottom]);
     EXPECT_EQ(limit[top], mesh.positions[top]);
     for (std::size_t j = 12; j < 18; ++j) EXPECT_EQ(limit[j], mesh.positions[j]);
-    // The ring below sees the rim's control points, whose limit the rim is.
-    const double seen = 1 / ring_limit_radius(6);
+    // The ring below sees the control points of a spline along the rim.
+    const double seen = ring_fit_radius(6) / ring_limit_radius(6);
     EXPECT_NEAR(distance_from_axis(limit[6]), ring_limit_radius(6) * (1 + 4 + seen) / 6, 1e-6);
 }
 

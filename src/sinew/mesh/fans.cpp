@@ -24,8 +24,8 @@ bool is_closed_fan(const QuadMesh& mesh, const Topology& topology, Index vertex)
     return true;
 }
 
-std::vector<Index> sorted_poles(const QuadMesh& mesh) {
-    std::vector<Index> poles = mesh.features.poles;
+std::vector<Index> ascending(std::span<const Index> list) {
+    std::vector<Index> poles(list.begin(), list.end());
     std::sort(poles.begin(), poles.end());
     poles.erase(std::unique(poles.begin(), poles.end()), poles.end());
     return poles;
@@ -42,11 +42,12 @@ std::vector<std::array<Index, 2>> planar_faces(const QuadMesh& mesh) {
 
 class FanFinder {
   public:
-    FanFinder(const QuadMesh& mesh, const Topology& topology, const Sharpness& sharpness)
+    FanFinder(const QuadMesh& mesh, const Topology& topology, const Sharpness& sharpness,
+              std::span<const Index> poles)
         : mesh_(mesh),
           topology_(topology),
           sharpness_(sharpness),
-          poles_(sorted_poles(mesh)),
+          poles_(ascending(poles)),
           planar_(planar_faces(mesh)) {}
 
     Fans find() {
@@ -140,11 +141,12 @@ Modes modes_of(std::span<const Vec3> ring) {
 
 }  // namespace
 
-Result<Fans> resolve_fans(const QuadMesh& mesh, const Topology& topology, const Sharpness& sharpness) {
-    for (const Index pole : mesh.features.poles)
+Result<Fans> resolve_fans(const QuadMesh& mesh, const Topology& topology, const Sharpness& sharpness,
+                          std::span<const std::uint32_t> poles) {
+    for (const Index pole : poles)
         if (pole >= mesh.vertex_count())
             return fail(ErrorKind::input, fmt::format("the pole {} is no vertex of the mesh", pole));
-    return FanFinder(mesh, topology, sharpness).find();
+    return FanFinder(mesh, topology, sharpness, poles).find();
 }
 
 std::vector<std::uint32_t> detect_poles(const QuadMesh& mesh, const Topology& topology) {

@@ -34,10 +34,11 @@ struct Fans {
     }
 };
 
-/// The fans of those of mesh.features.poles that can be subdivided as poles. The others are ordinary
+/// The fans of those of `poles` that can be subdivided as poles, ascending. The others are ordinary
 /// vertices: where the faces are not one closed fan of triangles, where another listed pole is a neighbour,
 /// and where creases run into the pole without making it a corner. Fails for a pole that is no vertex.
-Result<Fans> resolve_fans(const QuadMesh& mesh, const Topology& topology, const Sharpness& sharpness);
+Result<Fans> resolve_fans(const QuadMesh& mesh, const Topology& topology, const Sharpness& sharpness,
+                          std::span<const std::uint32_t> poles);
 
 /// Poles of a mesh that brings no list of them (from a file): vertices inside the mesh with nothing but
 /// triangles round them, three at least, each of whose neighbours has another kind of face too. Ascending.

@@ -113,10 +113,6 @@ void fit_to_limit(const LimitStencils& stencils, std::span<const Vec3> target, s
 
 double ring_limit_radius(int n) { return (4 + 2 * std::cos(2 * std::numbers::pi / n)) / 6; }
 
-double ring_fit_radius(int n) {
-    const double half = std::numbers::pi / n;
-    const double between = (46 * std::cos(half) + 2 * std::cos(3 * half)) / 48 / ring_limit_radius(n);
-    return 2 * ring_limit_radius(8 * n) / (1 + between);
-}
+double ring_fit_radius(int n) { return ring_limit_radius(n) / spline_radius(2 * std::numbers::pi / n); }
 
 }  // namespace sinew

@@ -66,8 +66,7 @@ void fit_to_limit(const LimitStencils& stencils, std::span<const Vec3> target, s
 double ring_limit_radius(int n);
 
 /// A cubic B-spline through n points of a circle runs inside it between them, by 2.8 % at n = 4. This is what
-/// to multiply the target radius of a ring with, so that after three levels its vertices lie as far outside
-/// the radius as inside.
+/// to multiply the target radius of a ring with, so that its limit lies as far outside the radius as inside.
 double ring_fit_radius(int n);
 
 }  // namespace sinew

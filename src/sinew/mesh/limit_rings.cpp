@@ -1,6 +1,5 @@
 #include "sinew/mesh/limit_rings.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 
 #include "sinew/mesh/sharpness.h"
@@ -8,98 +7,72 @@
 namespace sinew {
 namespace {
 
-using Row = Eigen::RowVectorXd;
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Eigen::Index;
+using Row = Eigen::RowVectorXd;
 
-bool fading(float sharpness) { return sharpness > 0 && sharpness < infinite_sharpness; }
+constexpr std::size_t most_edges = 256;  // a ring of weights takes the square of it
+constexpr int dart_steps = 48;           // each at least halves what is left
 
-constexpr int dart_steps = 48;  // each at least halves what is left
+bool is_infinite(float sharpness) { return sharpness >= infinite_sharpness; }
 
-/// A ring in which every point is a row of weights on the points it began with.
-class Ring {
-  public:
-    Ring(std::span<const float> sharpness, bool closed)
-        : sharpness_(sharpness.begin(), sharpness.end()),
-          faces_(static_cast<Index>(sharpness.size()) - (closed ? 0 : 1)),
-          closed_(closed) {
-        const Index size = 1 + edges() + faces_;
-        const Rows identity = Rows::Identity(size, size);
-        vertex_ = identity.row(0);
-        edge_ = identity.middleRows(1, edges());
-        mean_ = identity.bottomRows(faces_);
+std::vector<Index> sharp_edges(const VertexRing& ring) {
+    std::vector<Index> sharp;
+    for (std::size_t i = 0; i < ring.sharpness.size(); ++i)
+        if (ring.sharpness[i] > 0) sharp.push_back(static_cast<Index>(i));
+    return sharp;
+}
+
+Row new_edge_point(const VertexRing& ring, Index i) {
+    const Index faces = ring.means.rows();
+    const double share = edge_rule(ring.sharpness[static_cast<std::size_t>(i)]);
+    const Row middle = (ring.vertex + ring.edges.row(i)) / 2;
+    if (share == 1) return middle;
+    const Row beside = (ring.means.row((i + faces - 1) % faces) + ring.means.row(i)) / 2;
+    return share * middle + (1 - share) * (middle + beside) / 2;
+}
+
+Row new_vertex(const VertexRing& ring) {
+    const std::vector<Index> sharp = sharp_edges(ring);
+    std::vector<SharpSpoke> spokes;
+    for (const Index i : sharp) spokes.push_back({.sharpness = ring.sharpness[static_cast<std::size_t>(i)]});
+    const VertexRule rule = vertex_rule(spokes, false);
+    Row moved = rule.corner * ring.vertex;
+    if (rule.crease > 0) {
+        const Row ends = ring.edges.row(sharp[rule.ends[0]]) + ring.edges.row(sharp[rule.ends[1]]);
+        moved += rule.crease * (6 * ring.vertex + ends) / 8;
     }
-
-    bool fades() const { return std::any_of(sharpness_.begin(), sharpness_.end(), fading); }
-
-    void step() {
-        const Rows face = mean_;
-        Rows edge(edges(), vertex_.size());
-        for (Index i = 0; i < edges(); ++i) edge.row(i) = new_edge_point(i);
-        const Row vertex = new_vertex();
-        vertex_ = vertex;
-        edge_ = edge;
-        for (Index i = 0; i < faces_; ++i)
-            mean_.row(i) = (vertex_ + edge_.row(i) + face.row(i) + edge_.row((i + 1) % edges())) / 4;
-        for (float& s : sharpness_) s = finer_sharpness(s);
+    if (rule.smooth > 0 && ring.closed) {
+        const auto n = static_cast<double>(ring.edges.rows());
+        const Row around = ring.edges.colwise().sum() + ring.means.colwise().sum();
+        moved += rule.smooth * ((n - 2) / n * ring.vertex + around / (n * n));
     }
+    return moved;
+}
 
-    /// The limit of what is only smooth or infinitely sharp by now.
-    Row limit() {
-        const std::vector<Index> sharp = sharp_edges();
-        if (sharp.size() > 2) return vertex_;
-        if (sharp.size() == 2) return (4 * vertex_ + edge_.row(sharp[0]) + edge_.row(sharp[1])) / 6;
-        if (sharp.size() == 1) {
-            for (int i = 0; i < dart_steps; ++i) step();
-            return vertex_;
-        }
-        const SmoothWeights weights(static_cast<double>(edges()));
-        return weights.vertex * vertex_ + weights.edge * edge_.colwise().sum() +
-               weights.face * mean_.colwise().sum();
+/// A ring in which every point is the row of weights that is 1 for itself.
+VertexRing ring_of_weights(std::span<const float> sharpness, bool closed) {
+    const auto edges = static_cast<Index>(sharpness.size()), faces = edges - (closed ? 0 : 1);
+    const VertexRing::Rows identity = VertexRing::Rows::Identity(1 + edges + faces, 1 + edges + faces);
+    return {identity.row(0),
+            identity.middleRows(1, edges),
+            identity.bottomRows(faces),
+            {sharpness.begin(), sharpness.end()},
+            closed};
+}
+
+/// The limit of a ring that no longer fades.
+Row limit_of(VertexRing& ring) {
+    const std::vector<Index> sharp = sharp_edges(ring);
+    if (sharp.size() > 2) return ring.vertex;
+    if (sharp.size() == 2) return (4 * ring.vertex + ring.edges.row(sharp[0]) + ring.edges.row(sharp[1])) / 6;
+    if (sharp.size() == 1) {
+        for (int i = 0; i < dart_steps; ++i) refine_ring(ring);
+        return ring.vertex;
     }
-
-  private:
-    Index edges() const { return static_cast<Index>(sharpness_.size()); }
-
-    std::vector<Index> sharp_edges() const {
-        std::vector<Index> sharp;
-        for (Index i = 0; i < edges(); ++i)
-            if (sharpness_[static_cast<std::size_t>(i)] > 0) sharp.push_back(i);
-        return sharp;
-    }
-
-    Row new_edge_point(Index i) const {
-        const double share = edge_rule(sharpness_[static_cast<std::size_t>(i)]);
-        const Row middle = (vertex_ + edge_.row(i)) / 2;
-        if (share == 1) return middle;
-        const Row faces = (mean_.row((i + faces_ - 1) % faces_) + mean_.row(i)) / 2;
-        return share * middle + (1 - share) * (middle + faces) / 2;
-    }
-
-    Row new_vertex() const {
-        const std::vector<Index> sharp = sharp_edges();
-        std::vector<SharpSpoke> spokes;
-        for (const Index i : sharp) spokes.push_back({.sharpness = sharpness_[static_cast<std::size_t>(i)]});
-        const VertexRule rule = vertex_rule(spokes, false);
-        Row moved = rule.corner * vertex_;
-        if (rule.crease > 0)
-            moved += rule.crease *
-                     (6 * vertex_ + edge_.row(sharp[rule.ends[0]]) + edge_.row(sharp[rule.ends[1]])) / 8;
-        if (rule.smooth > 0 && closed_) {
-            const auto n = static_cast<double>(edges());
-            const Row around = edge_.colwise().sum() + mean_.colwise().sum();
-            moved += rule.smooth * ((n - 2) / n * vertex_ + around / (n * n));
-        }
-        return moved;
-    }
-
-    std::vector<float> sharpness_;
-    Index faces_;
-    bool closed_;
-    Row vertex_;
-    Rows edge_;
-    Rows mean_;  ///< of the corners of each face
-};
+    const SmoothWeights weights(static_cast<double>(ring.edges.rows()));
+    return weights.vertex * ring.vertex + weights.edge * ring.edges.colwise().sum() +
+           weights.face * ring.means.colwise().sum();
+}
 
 RingWeights weights_of(const Row& row, std::size_t edges) {
     RingWeights weights{.vertex = row[0], .edges = {}, .faces = {}};
@@ -108,19 +81,18 @@ RingWeights weights_of(const Row& row, std::size_t edges) {
     return weights;
 }
 
-RingWeights constant(std::size_t edges, std::size_t faces) {
+RingWeights staying(std::size_t edges, std::size_t faces) {
     return {.vertex = 1, .edges = std::vector<double>(edges, 0), .faces = std::vector<double>(faces, 0)};
 }
 
-/// Limit where nothing fades, which needs no subdivision: all but darts.
+/// The limit where nothing fades, which needs no subdivision but for darts, which count as smooth here.
 RingWeights steady_weights(std::span<const float> sharpness, bool closed) {
     const std::size_t n = sharpness.size();
-    RingWeights weights = constant(n, closed ? n : n - 1);
-    const auto infinite = [](float s) { return s >= infinite_sharpness; };
-    const auto count = std::count_if(sharpness.begin(), sharpness.end(), infinite);
+    RingWeights weights = staying(n, closed ? n : n - 1);
+    const auto count = std::count_if(sharpness.begin(), sharpness.end(), is_infinite);
     if (count == 2) {
         weights.vertex = 2.0 / 3;
-        for (std::size_t i = 0; i < n; ++i) weights.edges[i] = infinite(sharpness[i]) ? 1.0 / 6 : 0;
+        for (std::size_t i = 0; i < n; ++i) weights.edges[i] = is_infinite(sharpness[i]) ? 1.0 / 6 : 0;
     } else if (count < 2 && closed) {
         const SmoothWeights smooth(static_cast<double>(n));
         weights.vertex = smooth.vertex;
@@ -132,16 +104,31 @@ RingWeights steady_weights(std::span<const float> sharpness, bool closed) {
 
 }  // namespace
 
+void refine_ring(VertexRing& ring) {
+    const Index edges = ring.edges.rows(), faces = ring.means.rows();
+    VertexRing::Rows new_edges(edges, ring.edges.cols());
+    for (Index i = 0; i < edges; ++i) new_edges.row(i) = new_edge_point(ring, i);
+    ring.vertex = new_vertex(ring);
+    ring.edges = std::move(new_edges);
+    for (Index i = 0; i < faces; ++i)  // what was the mean of a face is a corner of the new one
+        ring.means.row(i) =
+            (ring.vertex + ring.edges.row(i) + ring.means.row(i) + ring.edges.row((i + 1) % edges)).eval() /
+            4;
+    for (float& sharpness : ring.sharpness) sharpness = finer_sharpness(sharpness);
+}
+
+bool fades(std::span<const float> sharpness) {
+    return std::any_of(sharpness.begin(), sharpness.end(), [](float s) { return s > 0 && !is_infinite(s); });
+}
+
 RingWeights limit_weights(std::span<const float> sharpness, bool closed, bool corner) {
     const std::size_t n = sharpness.size();
-    if (corner || n < 2) return constant(n, closed || n == 0 ? n : n - 1);
-    const auto infinite =
-        std::count_if(sharpness.begin(), sharpness.end(), [](float s) { return s >= infinite_sharpness; });
-    const bool fades = std::any_of(sharpness.begin(), sharpness.end(), fading);
-    if (n > 256 || (!fades && infinite != 1)) return steady_weights(sharpness, closed);
-    Ring ring(sharpness, closed);
-    while (ring.fades()) ring.step();
-    return weights_of(ring.limit(), n);
+    if (corner || n < 2) return staying(n, closed || n == 0 ? n : n - 1);
+    const bool dart = std::count_if(sharpness.begin(), sharpness.end(), is_infinite) == 1;
+    if (n > most_edges || !(dart || fades(sharpness))) return steady_weights(sharpness, closed);
+    VertexRing ring = ring_of_weights(sharpness, closed);
+    while (fades(ring.sharpness)) refine_ring(ring);
+    return weights_of(limit_of(ring), n);
 }
 
 }  // namespace sinew

@@ -194,7 +194,7 @@ std::vector<Plane> without_faces(const std::vector<Plane>& planes) {
 Result<LimitStencils> build_limit_stencils(const QuadMesh& mesh) {
     if (auto sound = check_control_mesh(mesh); !sound) return fail(sound.error());
     const Topology topology = build_topology(mesh);
-    auto rules = resolve_rules(mesh, topology);
+    auto rules = resolve_rules(mesh, topology, mesh.features.poles);
     if (!rules) return fail(rules.error());
     LimitStencils stencils;
     stencils.rules = std::move(*rules);

@@ -33,7 +33,7 @@ Result<void> check_circle(const Circle& circle, std::size_t number) {
 }
 
 struct OnCircle {
-    Index vertex, circle, neighbour;
+    Index vertex, circle, neighbour, edge;
     auto operator<=>(const OnCircle&) const = default;
 };
 
@@ -43,6 +43,8 @@ CircleVertex join(std::span<const OnCircle> places) {
     if (places.size() == 2 && places[0].circle == places[1].circle) {
         joined.before = places[0].neighbour;
         joined.after = places[1].neighbour;
+        joined.before_edge = places[0].edge;
+        joined.after_edge = places[1].edge;
     }
     return joined;
 }
@@ -181,8 +183,8 @@ Result<Rounds> resolve_rounds(const QuadMesh& mesh, const Topology& topology, co
                 return fail(ErrorKind::input,
                             fmt::format("circle {} has an edge {} - {} that the mesh has not", c, a, b));
             rounds.edges.push_back({edge, c});
-            places.push_back({a, c, b});
-            places.push_back({b, c, a});
+            places.push_back({a, c, b, edge});
+            places.push_back({b, c, a, edge});
         }
     }
     if (rounds.edges.empty()) return rounds;
@@ -202,6 +204,12 @@ Vec3 nearest_on_circle(const Circle& circle, const Vec3& point) {
     return circle.centre.cast<double>() + double{circle.radius} * direction;
 }
 
+double spline_radius(double angle) {
+    const double beside = (4 + 2 * std::cos(angle)) / 6;
+    const double between = (46 * std::cos(angle / 2) + 2 * std::cos(3 * angle / 2)) / 48;
+    return (beside + between) / 2;
+}
+
 Vec3 circle_control(const Circle& circle, const Vec3& point, const Vec3& before, const Vec3& after) {
     const Vec3 direction = polar_of(circle, point).direction;
     const auto angle_to = [&](const Vec3& other) {
@@ -209,7 +217,7 @@ Vec3 circle_control(const Circle& circle, const Vec3& point, const Vec3& before,
     };
     const double angle = (angle_to(before) + angle_to(after)) / 2;
     const Vec3 centre = circle.centre.cast<double>();
-    return centre + 6 / (4 + 2 * std::cos(angle)) * (point - centre);
+    return centre + (point - centre) / spline_radius(angle);
 }
 
 Vec3 mean_on_cone(const Circle& circle, const Vec3& tip, std::span<const Vec3> points) {

@@ -2,10 +2,10 @@
 /// Circles as subdivision meets them, and the cones and discs that stand on them.
 ///
 /// A vertex of a circle stays where it is, and the new vertex of one of its edges lies on the circle. The
-/// surface beside the circle must not see these vertices as control points (a ring of n would lose 1 - (4 + 2
-/// cos(2 pi / n)) / 6 of its radius just beside the circle, a waist): it sees `circle_control`, the points
-/// whose limit they are. Between a fixed pole (the tip of a cone, the middle of a flat disc) and a circle
-/// round its axis the surface is the exact cone or disc: new vertices there are means in the cone's own
+/// surface beside the circle must not see these vertices as control points (a ring of 4 would lose a third of
+/// its radius just beside the circle, a waist): it sees `circle_control`, the points of a B-spline that runs
+/// along the circle. Between a fixed pole (the tip of a cone, the middle of a flat disc) and a circle round
+/// its axis the surface is the exact cone or disc: new vertices there are means in the cone's own
 /// coordinates, old ones stay.
 #pragma once
 
@@ -24,6 +24,8 @@ struct CircleVertex {
     /// arc, at a corner, where two circles or another crease meet.
     std::uint32_t before = no_index;
     std::uint32_t after = no_index;
+    std::uint32_t before_edge = no_index;  ///< between it and `before`
+    std::uint32_t after_edge = no_index;
 };
 
 struct CircleEdge {
@@ -53,9 +55,12 @@ Result<Rounds> resolve_rounds(const QuadMesh& mesh, const Topology& topology, co
 /// The nearest point of a circle; of a point on the axis, any.
 Vec3 nearest_on_circle(const Circle& circle, const Vec3& point);
 
-/// The point that a closed cubic B-spline through points on the circle has as control point at `point`:
-/// further out by 6 / (4 + 2 cos a), a the mean angle to its neighbours before and after. Exact where they
-/// are evenly spread.
+/// Radius of the closed cubic B-spline of points on a circle of radius 1 that are `angle` apart: half way
+/// between its greatest, (4 + 2 cos angle) / 6 beside the points, and its least, half way between them.
+double spline_radius(double angle);
+
+/// The control point at `point` of the closed cubic B-spline that runs along the circle: further out by 1 /
+/// spline_radius of the mean angle to its neighbours before and after.
 Vec3 circle_control(const Circle& circle, const Vec3& point, const Vec3& before, const Vec3& after);
 
 /// The mean of points of the cone from `tip` to the circle in its own coordinates: the share of the way to

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace sinew {
 namespace {
@@ -17,7 +18,7 @@ Result<void> append_creases(const QuadMesh& mesh, const Topology& topology, std:
             return fail(ErrorKind::input,
                         fmt::format("the crease between vertices {} and {} is no edge of the mesh",
                                     crease.edge[0], crease.edge[1]));
-        edges.push_back({edge, crease.sharpness});
+        edges.push_back({edge, crease.sharpness, true});
     }
     return {};
 }
@@ -25,13 +26,13 @@ Result<void> append_creases(const QuadMesh& mesh, const Topology& topology, std:
 void append_open_edges(const Topology& topology, std::vector<SharpEdge>& edges) {
     for (Index edge = 0; edge < topology.edge_count(); ++edge)
         if (topology.twin[topology.half_edges(edge)[0]] == no_index)
-            edges.push_back({edge, infinite_sharpness});
+            edges.push_back({edge, infinite_sharpness, false});
 }
 
-/// Sorts by edge and keeps the sharpest of each.
+/// Sorts by edge and keeps the sharpest of each, a listed one before one that is not.
 void merge(std::vector<SharpEdge>& edges) {
     std::sort(edges.begin(), edges.end(), [](const SharpEdge& a, const SharpEdge& b) {
-        return a.edge != b.edge ? a.edge < b.edge : a.sharpness > b.sharpness;
+        return std::tuple(a.edge, -a.sharpness, !a.listed) < std::tuple(b.edge, -b.sharpness, !b.listed);
     });
     const auto same = [](const SharpEdge& a, const SharpEdge& b) { return a.edge == b.edge; };
     edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
@@ -71,7 +72,7 @@ struct OwnedSpoke {
 std::vector<OwnedSpoke> both_ends(const Topology& topology, std::span<const SharpEdge> edges) {
     std::vector<OwnedSpoke> spokes;
     spokes.reserve(2 * edges.size());
-    for (const auto& [edge, sharpness] : edges) {
+    for (const auto& [edge, sharpness, listed] : edges) {
         const auto [a, b] = topology.edges[edge];
         spokes.push_back({a, {edge, b, sharpness}});
         spokes.push_back({b, {edge, a, sharpness}});

@@ -27,6 +27,7 @@ inline float finer_sharpness(float sharpness) {
 struct SharpEdge {
     std::uint32_t edge = 0;
     float sharpness = 0;
+    bool listed = false;  ///< by the features of the mesh; the others are sharp because the mesh ends there
 };
 
 /// A sharp edge seen from one of its vertices.

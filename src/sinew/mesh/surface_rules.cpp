@@ -59,12 +59,13 @@ Result<void> check_control_mesh(const QuadMesh& mesh) {
     return {};
 }
 
-Result<SurfaceRules> resolve_rules(const QuadMesh& mesh, const Topology& topology) {
+Result<SurfaceRules> resolve_rules(const QuadMesh& mesh, const Topology& topology,
+                                   std::span<const std::uint32_t> poles) {
     auto sharpness = resolve_sharpness(mesh, topology);
     if (!sharpness) return fail(sharpness.error());
     auto flats = resolve_flats(mesh, topology);
     if (!flats) return fail(flats.error());
-    auto fans = resolve_fans(mesh, topology, *sharpness);
+    auto fans = resolve_fans(mesh, topology, *sharpness, poles);
     if (!fans) return fail(fans.error());
     auto rounds = resolve_rounds(mesh, topology, *sharpness, *fans);
     if (!rounds) return fail(rounds.error());

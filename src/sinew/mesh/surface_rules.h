@@ -15,9 +15,11 @@ struct SurfaceRules {
     Flats flats;
 };
 
-/// Fails (ErrorKind::input) for what check_control_mesh refuses and for features that name what the mesh has
-/// not.
-Result<SurfaceRules> resolve_rules(const QuadMesh& mesh, const Topology& topology);
+/// Fails (ErrorKind::input) for features that name what the mesh has not.
+/// @param mesh   one that check_control_mesh passed
+/// @param poles  mesh.features.poles, or those that detect_poles finds
+Result<SurfaceRules> resolve_rules(const QuadMesh& mesh, const Topology& topology,
+                                   std::span<const std::uint32_t> poles);
 
 /// Subdivision takes any polygon mesh, open or not manifold, but refuses one that is not well formed, whose
 /// positions are not finite, or that has a face of fewer than three corners or with a vertex twice. Names the

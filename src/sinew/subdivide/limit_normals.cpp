@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sinew/subdivide/finest_rings.h"
+#include "sinew/subdivide/refine.h"
+
+namespace sinew {
+namespace {
+
+using Index = std::uint32_t;
+
+constexpr int dart_steps = 12;  // of subdivision, until the ring of a dart is as good as flat
+
+Vec3 edge_at(const VertexRing& ring, std::size_t i) {
+    return (ring.edges.row(static_cast<Eigen::Index>(i % ring.sharpness.size())) - ring.vertex).transpose();
+}
+Vec3 mean_at(const VertexRing& ring, std::size_t i) {
+    return (ring.means.row(static_cast<Eigen::Index>(i)) - ring.vertex).transpose();
+}
+
+/// What is orthogonal to a surface whose tangents one knows but for a sign, on the side of another normal.
+Vec3 on_side_of(const Vec3& normal, const Vec3& side) {
+    return (normal.dot(side) < 0 ? -normal : normal).normalized();
+}
+
+/// Sum of the normals of some faces of a ring at its vertex.
+Vec3 sum_of_faces(const VertexRing& ring, std::size_t begin, std::size_t count) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = begin; i < begin + count; ++i) sum += edge_at(ring, i).cross(edge_at(ring, i + 1));
+    return sum;
+}
+
+/// Normal of a smooth inner vertex, by the tangent masks of Catmull-Clark (Halstead, Kass and DeRose 1993)
+/// applied to the ring after one step of subdivision.
+Vec3 smooth_normal(const VertexRing& ring) {
+    const std::size_t n = ring.sharpness.size();
+    const double angle = 2 * std::numbers::pi / static_cast<double>(n), cosine = std::cos(angle);
+    const double edge_weight = 1 + cosine + std::cos(angle / 2) * std::sqrt(2 * (9 + cosine));
+    Vec3 along = Vec3::Zero(), across = Vec3::Zero();
+    for (std::size_t i = 0; i < n; ++i) {
+        const double here = angle * static_cast<double>(i), next = angle * static_cast<double>(i + 1);
+        const Vec3 mean = mean_at(ring, i);
+        const Vec3 edge = (edge_at(ring, i) + mean_at(ring, (i + n - 1) % n) + mean) / 4;
+        along += edge_weight * std::cos(here) * edge + (std::cos(here) + std::cos(next)) * mean;
+        across += edge_weight * std::sin(here) * edge + (std::sin(here) + std::sin(next)) * mean;
+    }
+    const Vec3 normal = along.cross(across);
+    return normal.norm() > 0 ? normal.normalized() : sum_of_faces(ring, 0, n).normalized();
+}
+
+/// Normal of the side of a crease that has `count` faces from face `begin` on, by the crease's tangent masks
+/// (Biermann, Levin and Zorin 2000; as OpenSubdiv has them) applied to the ring after one step.
+Vec3 crease_normal(const VertexRing& ring, std::size_t begin, std::size_t count) {
+    VertexRing finer = ring;
+    refine_ring(finer);
+    const std::size_t n = ring.sharpness.size();
+    const auto face_point =
+        [&](std::size_t i) -> Vec3 {  // the mean of a coarse face is a corner of a finer one
+        return (ring.means.row(static_cast<Eigen::Index>((begin + i) % n)) - finer.vertex).transpose();
+    };
+    const Vec3 first = edge_at(finer, begin), last = edge_at(finer, begin + count);
+    const Vec3 side = sum_of_faces(finer, begin, count);
+    if (count == 1) return on_side_of((first - last).cross(first + last), side);
+    const double angle = std::numbers::pi / static_cast<double>(count);
+    const double ratio = (1 + std::cos(angle)) / std::sin(angle);
+    Vec3 across = -ratio * (1 + 2 * std::cos(angle)) * (first + last);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double here = angle * static_cast<double>(i), next = angle * static_cast<double>(i + 1);
+        across += 4 * std::sin(here) * edge_at(finer, begin + i);
+        across += (std::sin(here) + std::sin(next)) * face_point(i);
+    }
+    return on_side_of((first - last).cross(across), side);
+}
+
+/// Writes the normals of the finest mesh, corner by corner.
+class NormalWriter {
+  public:
+    NormalWriter(const Finest& finest, const QuadMesh& mesh, std::vector<Vec3f>& normals)
+        : finest_(finest), mesh_(mesh), normals_(normals) {}
+
+    Index face_of(Index slot) const {
+        return finest_.splits == 0 ? finest_.levels[0].slot_face[slot] : slot >> 2;
+    }
+
+    void write(Index slot, Index vertex, const Vec3& normal) const {
+        const Index face = face_of(slot), begin = mesh_.face_offsets[face],
+                    end = mesh_.face_offsets[face + 1];
+        Index corner = begin;
+        while (corner + 1 < end && mesh_.corners[corner] != vertex) ++corner;
+        normals_[corner] = normal.cast<float>();
+    }
+
+    /// Writes the normals of a vertex with sharp edges, side by side.
+    void write_sides(const RuledRing& ring, Index vertex, bool corner) const {
+        const VertexRing points = steadied(ring.points, corner);
+        const std::vector<std::size_t> sharp = sharp_edges(points);
+        const std::size_t faces = ring.slots.size(), n = points.sharpness.size();
+        if (corner && sharp.size() < 2) return write_each(ring, vertex);
+        if (sharp.empty()) return write_all(ring, vertex, smooth_normal(points));
+        if (sharp.size() == 1) return write_all(ring, vertex, sum_of_faces(points, 0, faces).normalized());
+        for (std::size_t s = 0; s < sharp.size(); ++s) {
+            const std::size_t begin = sharp[s], end = s + 1 < sharp.size() ? sharp[s + 1] : sharp[0] + n;
+            if (end > n - 1 && !points.closed) break;
+            const Vec3 normal = !corner && sharp.size() == 2
+                                    ? crease_normal(points, begin, end - begin)
+                                    : sum_of_faces(points, begin, end - begin).normalized();
+            for (std::size_t i = begin; i < end; ++i) write(ring.slots[i % faces], vertex, normal);
+        }
+    }
+
+    void write_all(const RuledRing& ring, Index vertex, const Vec3& normal) const {
+        for (const Index slot : ring.slots) write(slot, vertex, normal);
+    }
+
+  private:
+    /// Subdivides until only infinitely sharp edges are left, and darts until they are flat.
+    static VertexRing steadied(VertexRing points, bool corner) {
+        if (corner) return points;
+        while (fades(points.sharpness)) refine_ring(points);
+        for (int i = 0; i < dart_steps && sharp_edges(points).size() == 1; ++i) refine_ring(points);
+        return points;
+    }
+
+    static std::vector<std::size_t> sharp_edges(const VertexRing& points) {
+        std::vector<std::size_t> sharp;
+        for (std::size_t i = 0; i < points.sharpness.size(); ++i)
+            if (points.sharpness[i] > 0) sharp.push_back(i);
+        return sharp;
+    }
+
+    void write_each(const RuledRing& ring, Index vertex) const {
+        for (std::size_t i = 0; i < ring.slots.size(); ++i)
+            write(ring.slots[i], vertex, sum_of_faces(ring.points, i, 1).normalized());
+    }
+
+    const Finest& finest_;
+    const QuadMesh& mesh_;
+    std::vector<Vec3f>& normals_;
+};
+
+void write_smooth(const Finest& finest, std::span<const Vec3f> control, const NormalWriter& writer) {
+    with_finest_faces(finest, control, [&](const auto& see) {
+        for_each_ring(finest.levels, finest.splits, [&](Index vertex, const auto& slots) {
+            const auto n = static_cast<Eigen::Index>(slots.size());
+            if (n < 3) return;
+            VertexRing ring{control[vertex].cast<double>().transpose(), VertexRing::Rows(n, 3),
+                            VertexRing::Rows(n, 3), std::vector<float>(slots.size(), 0)};
+            for (Eigen::Index i = 0; i < n; ++i) {
+                const SeenFace face = see(slots[static_cast<std::size_t>(i)]);
+                ring.edges.row(i) = control[face.next].template cast<double>().transpose();
+                ring.means.row(i) = face.mean.template cast<double>().transpose();
+            }
+            const Vec3 normal = smooth_normal(ring);
+            for (const Index slot : slots) writer.write(slot, vertex, normal);
+        });
+    });
+}
+
+/// Every triangle of a fan has its own normal at a fixed pole.
+void write_poles(const Finest& finest, std::span<const Vec3f> control, const QuadMesh& mesh,
+                 std::vector<Vec3f>& normals) {
+    const Fans& fans = finest.rules.fans;
+    for (const PoleFan& fan : fans.fans) {
+        std::vector<Vec3> ring;
+        for (const Index v : fans.ring_of(fan))
+            ring.push_back((control[v] - control[fan.pole]).cast<double>());
+        const auto tangents = polar_tangents(ring);
+        for (std::size_t j = 0; j < ring.size(); ++j) {
+            const Vec3 own = ring[j].cross(ring[(j + 1) % ring.size()]);
+            const Index face = fans.faces[fan.first + j];
+            const auto corners = mesh.face(face);
+            const auto corner = std::ranges::find(corners, fan.pole) - corners.begin();
+            normals[mesh.face_offsets[face] + static_cast<std::size_t>(corner)] =
+                (fan.fixed ? own : tangents[0].cross(tangents[1])).normalized().cast<float>();
+        }
+    }
+}
+
+/// On a cone the normal is orthogonal to the line to the tip and to the circle's direction.
+void write_cone(const Cone& cone, const Circle& circle, std::span<const Vec3f> control, const QuadMesh& mesh,
+                std::vector<Vec3f>& normals) {
+    const Vec3 tip = control[cone.tip].cast<double>(), axis = circle.axis.cast<double>();
+    for (const Index face : cone.faces) {
+        const auto corners = mesh.face(face);
+        const auto at = [&](std::size_t i) -> Vec3 {
+            return control[corners[i % corners.size()]].cast<double>();
+        };
+        Vec3 side = Vec3::Zero(), middle = Vec3::Zero();
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            side += (at(i) - tip).cross(at(i + 1) - tip);
+            middle += at(i) / static_cast<double>(corners.size());
+        }
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Vec3 from_tip = nearest_on_circle(circle, corners[i] == cone.tip ? middle : at(i)) - tip;
+            const Vec3 outward = nearest_on_circle(circle, corners[i] == cone.tip ? middle : at(i)) -
+                                 circle.centre.cast<double>();
+            normals[mesh.face_offsets[face] + i] =
+                on_side_of(from_tip.cross(axis.cross(outward)), side).cast<float>();
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Vec3f> find_limit_normals(const Finest& finest, std::span<Vec3f> control, const QuadMesh& mesh) {
+    const auto& [sharpness, fans, rounds, flats] = finest.rules;
+    std::vector<Vec3f> normals(mesh.corners.size(), Vec3f::Zero());
+    const NormalWriter writer(finest, mesh, normals);
+    const std::vector<Vec3f> on_circles = show_circle_controls(rounds, finest.features, control);
+    write_smooth(finest, control, writer);
+    const FinestRings rings(finest, control);
+    for (const Index vertex : rings.round_poles()) {
+        const RuledRing ring = rings.ring(vertex);
+        writer.write_all(ring, vertex, smooth_normal(ring.points));
+    }
+    for (std::size_t i = 0; i < sharpness.vertices.size(); ++i)
+        writer.write_sides(rings.ring(sharpness.vertices[i]), sharpness.vertices[i], sharpness.corner[i]);
+    write_poles(finest, control, mesh, normals);
+    restore_circles(rounds, on_circles, control);
+    for (const Cone& cone : rounds.cones)
+        write_cone(cone, finest.features.circles[cone.circle], control, mesh, normals);
+    return normals;
+}
+
+}  // namespace sinew
