@@ -209,6 +209,12 @@ TEST(GltfReader, BrokenReferencesAreRefusedWithTheirPlace) {
                     g.primitive()["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
                 }),
                 HasSubstr("packed with KHR_draco_mesh_compression"));
+    EXPECT_THAT(refused([](Gltf& g) {
+                    g.primitive().erase("extras");
+                    std::fill(g.data.begin(), g.data.begin() + 96, '\0');
+                }),
+                HasSubstr("no triangles"))
+        << "all corners at one place";
     EXPECT_THAT(error_text(parse_gltf_mesh("{\"asset\": {\"version\": \"2.0\"}}", "bad.gltf")),
                 HasSubstr("no triangles"));
     EXPECT_THAT(error_text(parse_gltf_mesh("solid", "bad.gltf")),

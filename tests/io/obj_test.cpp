@@ -5,6 +5,7 @@
 
 #include <clocale>
 
+#include "fixed_seed.h"
 #include "io/mesh_testing.h"
 
 namespace sinew {

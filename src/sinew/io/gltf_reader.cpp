@@ -48,8 +48,9 @@ class MeshReader {
         if (!nodes) return tl::unexpected(nodes.error());
         for (const PlacedNode& placed : *nodes)
             if (auto done = read_node(placed); !done) return tl::unexpected(done.error());
+        if (!shared_) mesh_ = welded(mesh_);  // which drops triangles of a single point or line
         if (mesh_.face_count() == 0) return wrong("there are no triangles in it", "");
-        return shared_ ? std::move(mesh_) : welded(mesh_);
+        return std::move(mesh_);
     }
 
   private:
