@@ -181,7 +181,12 @@ void widen_rings(const Parts& parts, const Bridge& bridge, std::span<Vec3> targe
     }
 }
 
-Result<std::vector<Vec3>> fit_limit(const Parts& parts, const Bridge& bridge, std::vector<Vec3> targets) {
+void store(const std::vector<Vec3>& positions, QuadMesh& mesh) {
+    for (std::size_t v = 0; v < positions.size(); ++v) mesh.positions[v] = positions[v].cast<float>();
+}
+
+Result<std::vector<Vec3>> fit_limit(const Parts& parts, Bridge& bridge, std::vector<Vec3> targets) {
+    store(targets, bridge.mesh);  // the stencils are refused for a mesh that is not finite
     const auto stencils = build_limit_stencils(bridge.mesh);
     if (!stencils) return fail(stencils.error());
     widen_rings(parts, bridge, targets);
@@ -203,7 +208,7 @@ Result<void> place(const Parts& parts, const Images& images, const PlaceOptions&
         positions = std::move(*control);
     }
     make_symmetric(images, image, positions);
-    for (std::size_t v = 0; v < positions.size(); ++v) bridge.mesh.positions[v] = positions[v].cast<float>();
+    store(positions, bridge.mesh);
     return {};
 }
 
