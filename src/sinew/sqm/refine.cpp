@@ -273,26 +273,28 @@ class Refiner {
         const std::int32_t step = options_.sides > 0 ? 1 : 2;
         for (std::int32_t& c : count) c = (c + step - 1) / step * step;
 
-        std::vector<std::int32_t> pending;
+        std::vector<std::int32_t> joints;
         for (std::int32_t j = 0; j < n_.joint_count(); ++j)
-            if (core_joint_[j] && representative(j)) pending.push_back(j);
-        // Joints of one component must agree: when one needs more, all of them are solved again with that.
+            if (core_joint_[j] && representative(j)) joints.push_back(j);
+        // Joints of one component must agree: when one needs more, all the others are solved again with that.
+        std::vector<std::int32_t> met(joints.size(), 0), pending(joints.size());
+        std::iota(pending.begin(), pending.end(), 0);
         while (!pending.empty()) {
             if (progress.cancelled()) return false;
-            std::vector<std::int32_t> met(pending.size());
             tbb::parallel_for(std::size_t{0}, pending.size(), [&](std::size_t i) {
                 JointProblem joint(p_, images_);
-                met[i] = least_met(joint, pending[i], count[regions_.component[pending[i]]], step);
+                const std::int32_t j = joints[pending[i]];
+                met[pending[i]] = least_met(joint, j, count[regions_.component[j]], step);
             });
-            for (std::size_t i = 0; i < pending.size(); ++i) {
+            for (std::size_t i = 0; i < joints.size(); ++i) {
                 if (met[i] >= hopeless) return false;
-                std::int32_t& c = count[regions_.component[pending[i]]];
+                std::int32_t& c = count[regions_.component[joints[i]]];
                 c = std::max(c, met[i]);
             }
-            std::size_t kept = 0;
-            for (std::size_t i = 0; i < pending.size(); ++i)
-                if (met[i] < count[regions_.component[pending[i]]]) pending[kept++] = pending[i];
-            pending.resize(kept);
+            pending.clear();
+            for (std::size_t i = 0; i < joints.size(); ++i)
+                if (met[i] < count[regions_.component[joints[i]]])
+                    pending.push_back(static_cast<std::int32_t>(i));
         }
         for (std::int32_t p = 0; p < n_.path_count(); ++p)
             if (const std::int32_t c = component_of(p); regions_.core[p] && c >= 0)
