@@ -35,6 +35,9 @@ class Repair {
     const Vec3& position(std::int32_t i) const { return document_.nodes[i].position; }
     double radius(std::int32_t i) const { return document_.nodes[i].radius; }
     double distance(std::int32_t a, std::int32_t b) const { return (position(a) - position(b)).norm(); }
+    bool coincide(std::int32_t a, std::int32_t b) const {
+        return distance(a, b) <= 1e-9 * std::max(radius(a), radius(b));
+    }
     std::int32_t root(std::int32_t i) {
         while (merged_[i] != i) i = merged_[i] = merged_[merged_[i]];
         return i;
@@ -48,9 +51,13 @@ class Repair {
     }
 
     /// The larger ball stays; of equal ones that of the lower index.
+    std::int32_t larger(std::int32_t a, std::int32_t b) const {
+        if (radius(a) != radius(b)) return radius(a) > radius(b) ? a : b;
+        return std::min(a, b);
+    }
     void merge(std::int32_t a, std::int32_t b) {
-        const bool keep_a = radius(a) != radius(b) ? radius(a) > radius(b) : a < b;
-        merged_[keep_a ? b : a] = keep_a ? a : b;
+        const std::int32_t stays = larger(a, b);
+        merged_[stays == a ? b : a] = stays;
     }
 
     void merge_bones_of_no_length() {
@@ -58,7 +65,7 @@ class Repair {
         std::vector<std::int64_t> nodes;
         for (const Bone& bone : bones_) {
             const std::int32_t a = root(bone[0]), b = root(bone[1]);
-            if (a == b || distance(a, b) > 1e-9 * std::max(radius(a), radius(b))) continue;
+            if (a == b || !coincide(a, b)) continue;
             merge(a, b);
             note(nodes, bone[1]);
             ++count;
@@ -113,7 +120,9 @@ class Repair {
             if (root(at) != at) continue;
             for (const std::int32_t next : std::vector<std::int32_t>(neighbours[at])) {
                 const bool crowded = neighbours[at].size() > 2 || neighbours[next].size() > 2;
-                if (!too_close(at, next, crowded) || have_common(neighbours[at], neighbours[next])) continue;
+                if (!too_close(at, next, crowded) || have_common(neighbours[at], neighbours[next]) ||
+                    leaves_no_length(neighbours, at, next))
+                    continue;
                 merge(at, next);
                 const std::int32_t stays = root(at), goes = stays == at ? next : at;
                 join(neighbours, stays, goes);
@@ -124,6 +133,13 @@ class Repair {
             }
         }
         warn("nodes inside a neighbour's ball were merged into it", merged, std::move(nodes));
+    }
+    /// Whether a bone of the ball that goes would have no length once it belongs to the one that stays.
+    bool leaves_no_length(const std::vector<std::vector<std::int32_t>>& neighbours, std::int32_t a,
+                          std::int32_t b) const {
+        const std::int32_t stays = larger(a, b), goes = stays == a ? b : a;
+        return std::any_of(neighbours[goes].begin(), neighbours[goes].end(),
+                           [&](std::int32_t n) { return n != stays && coincide(n, stays); });
     }
     static bool have_common(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b) {
         const auto& small = a.size() < b.size() ? a : b;
@@ -194,7 +210,7 @@ class Repair {
     /// one.
     bool may_remove(std::int32_t i, const Adjacency& adjacent) const {
         const std::int32_t a = other(i, 0), b = other(i, 1);
-        if (a == b) return false;
+        if (a == b || coincide(a, b)) return false;
         for (const std::int32_t n : {a, b})
             if (side_[n][0] >= 0)
                 for (int k = 0; k < 2; ++k)
