@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -23,17 +24,18 @@ Vec3 any_normal_to(const Vec3& v) {
     return v.cross(Vec3::Unit(least)).normalized();
 }
 
-/// Turns equal directions away from each other by a hair; the golden angle keeps several of them apart.
-void part_equal(std::vector<Vec3>& sites, double hair) {
+/// Lays equal directions out on a small disc, as a sunflower does its seeds, so that all are apart.
+void part_equal(std::vector<Vec3>& sites, double spacing) {
     constexpr double golden = 2.399963229728653;
-    for (std::size_t i = 1; i < sites.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            if ((sites[i] - sites[j]).squaredNorm() > 1e-12) continue;
-            const Vec3 x = any_normal_to(sites[i]), y = sites[i].cross(x);
-            const double angle = golden * static_cast<double>(i);
-            sites[i] = (sites[i] + hair * (std::cos(angle) * x + std::sin(angle) * y)).normalized();
-            break;
-        }
+    const std::vector<Vec3> drawn = sites;
+    for (std::size_t i = 1; i < sites.size(); ++i) {
+        const auto equal = [&](const Vec3& other) { return (drawn[i] - other).squaredNorm() <= 1e-12; };
+        const auto twins = static_cast<double>(std::count_if(drawn.begin(), drawn.begin() + i, equal));
+        if (twins == 0) continue;
+        const Vec3 x = any_normal_to(drawn[i]), y = drawn[i].cross(x);
+        const double angle = golden * twins, out = spacing * std::sqrt(twins);
+        sites[i] = (drawn[i] + out * (std::cos(angle) * x + std::sin(angle) * y)).normalized();
+    }
 }
 
 bool too_close(std::span<const Vec3> sites, double square) {
@@ -47,7 +49,7 @@ bool too_close(std::span<const Vec3> sites, double square) {
 void separate(std::vector<Vec3>& sites, std::vector<Vec3>& push) {
     const double least = std::min(least_separation, 1 / std::sqrt(static_cast<double>(sites.size())));
     if (!too_close(sites, least * least)) return;
-    part_equal(sites, 0.1 * least);
+    part_equal(sites, 0.6 * least);
     for (int round = 0; round < 64 && too_close(sites, 0.98 * least * least); ++round) {
         push.assign(sites.size(), Vec3::Zero());
         for (std::size_t i = 1; i < sites.size(); ++i)
@@ -59,7 +61,11 @@ void separate(std::vector<Vec3>& sites, std::vector<Vec3>& push) {
                 push[i] += half;
                 push[j] -= half;
             }
-        for (std::size_t i = 0; i < sites.size(); ++i) sites[i] = (sites[i] + push[i]).normalized();
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            const double far =
+                std::max(1.0, push[i].norm() / (0.5 * least));  // many neighbours push too hard
+            sites[i] = (sites[i] + push[i] / far).normalized();
+        }
     }
 }
 
@@ -109,13 +115,24 @@ void dualise(const SphereHull& hull, SphericalCells& cells) {
     }
 }
 
+std::vector<int> cells_round_vertices(const SphericalCells& cells) {
+    std::vector<int> count(cells.vertices.size(), 0);
+    for (const CellArc& arc : cells.arcs) ++count[arc.from], ++count[arc.to];
+    return count;
+}
+
 /// Merges the ends of short arcs, shortest first, wherever the cells stay discs of at least two sides.
 class MergeShortArcs {
   public:
-    MergeShortArcs(SphericalCells& cells, double limit)
-        : cells_(cells), limit_(limit), root_(cells.vertices.size()), gone_(cells.arcs.size(), false) {
+    MergeShortArcs(SphericalCells& cells, double limit, int most)
+        : cells_(cells),
+          limit_(limit),
+          most_(most),
+          root_(cells.vertices.size()),
+          gone_(cells.arcs.size(), false) {
         std::iota(root_.begin(), root_.end(), 0);
         sum_ = cells.vertices;
+        meet_ = cells_round_vertices(cells);
     }
     bool any() const { return !short_arcs().empty(); }
     void run() {
@@ -136,7 +153,7 @@ class MergeShortArcs {
     /// Arcs of one length may be images of each other: all of them are merged or none, so that no order
     /// shows.
     void merge_alike(std::span<const Short> arcs) {
-        const auto before = std::tuple(root_, sum_, gone_, side_count_);
+        const auto before = std::tuple(root_, sum_, gone_, side_count_, meet_);
         bool all = true;
         for (const auto& [length, arc] : arcs) {
             const bool may = may_merge(cells_.arcs[arc]);
@@ -144,7 +161,7 @@ class MergeShortArcs {
             all = all && may;
         }
         if (!all && arcs.size() > 1 && arcs[0].first > no_length)
-            std::tie(root_, sum_, gone_, side_count_) = before;
+            std::tie(root_, sum_, gone_, side_count_, meet_) = before;
     }
 
     std::vector<Short> short_arcs() const {
@@ -172,6 +189,7 @@ class MergeShortArcs {
     bool may_merge(const CellArc& arc) const {
         const std::int32_t u = root(arc.from), v = root(arc.to);
         if (u == v || side_count_[arc.left] < 3 || side_count_[arc.right] < 3) return false;
+        if (meet_[u] + meet_[v] - 2 > most_) return false;
         for (std::int32_t c = 0; c < cells_.cell_count(); ++c)  // a cell that has both ends would be pinched
             if (c != arc.left && c != arc.right && touches(c, u) && touches(c, v)) return false;
         return true;
@@ -181,6 +199,7 @@ class MergeShortArcs {
         const std::int32_t u = root(arc.from), v = root(arc.to);
         root_[std::max(u, v)] = std::min(u, v);
         sum_[std::min(u, v)] += sum_[std::max(u, v)];
+        meet_[std::min(u, v)] += meet_[std::max(u, v)] - 2;
         gone_[a] = true;
         --side_count_[arc.left];
         --side_count_[arc.right];
@@ -218,10 +237,12 @@ class MergeShortArcs {
 
     SphericalCells& cells_;
     double limit_;
+    int most_;  // cells that may meet at a vertex
     std::vector<std::int32_t> root_;
     std::vector<bool> gone_;
     std::vector<Vec3> sum_;
     std::vector<int> side_count_;
+    std::vector<int> meet_;  // cells that meet at each vertex
 };
 
 /// Whether all cells can have the same number of vertices round them, as paths on cycles want it. A
@@ -242,25 +263,34 @@ bool is_balanced(const SphericalCells& cells) {
 
 /// Merges what is short, or, where that leaves cells that cannot be balanced, what has no length at all, or
 /// nothing.
-void merge_short_arcs(SphericalCells& cells) {
+void merge_short_arcs(SphericalCells& cells, int most) {
     for (const double limit : {shortest_arc, no_length}) {
-        MergeShortArcs merge(cells, limit);
+        MergeShortArcs merge(cells, limit, most);
         if (!merge.any()) return;
         SphericalCells merged = cells;
-        MergeShortArcs(merged, limit).run();
+        MergeShortArcs(merged, limit, most).run();
         if (!is_balanced(merged)) continue;
         cells = std::move(merged);
         return;
     }
 }
 
-/// Adds a site in the middle of each vertex of too many sides. False if there is none.
+bool is_crowded(const SphericalCells& cells) {
+    const std::vector<int> meet = cells_round_vertices(cells);
+    return std::any_of(meet.begin(), meet.end(), [](int count) { return count > most_sides; });
+}
+
+/// Adds a site in the middle of each vertex of too many sides, if it is free. False if none was added.
 bool part_crowded_vertices(SphericalCells& cells) {
-    std::vector<int> sides(cells.vertices.size(), 0);
-    for (const CellArc& arc : cells.arcs) ++sides[arc.from], ++sides[arc.to];
+    constexpr double near = 0.25 * least_separation * least_separation;
     const std::size_t before = cells.sites.size();
-    for (std::size_t v = 0; v < sides.size(); ++v)
-        if (sides[v] > most_sides) cells.sites.push_back(cells.vertices[v]);
+    const auto is_free = [&](const Vec3& place) {
+        return std::none_of(cells.sites.begin(), cells.sites.end(),
+                            [&](const Vec3& site) { return (site - place).squaredNorm() < near; });
+    };
+    const std::vector<int> meet = cells_round_vertices(cells);
+    for (std::size_t v = 0; v < meet.size(); ++v)
+        if (meet[v] > most_sides && is_free(cells.vertices[v])) cells.sites.push_back(cells.vertices[v]);
     cells.added += static_cast<std::int32_t>(cells.sites.size() - before);
     return cells.sites.size() > before;
 }
@@ -275,9 +305,14 @@ void find_spherical_cells(std::span<const Vec3> directions, SphericalCells& cell
     for (int round = 0; round < 4; ++round) {
         find_sphere_hull(cells.sites, hull);
         dualise(hull, cells);
-        merge_short_arcs(cells);
-        if (round == 3 || !part_crowded_vertices(cells)) return;
+        merge_short_arcs(cells, std::numeric_limits<int>::max());
+        if (!is_crowded(cells)) return;
+        if (!part_crowded_vertices(cells)) break;
     }
+    find_sphere_hull(cells.sites,
+                     hull);  // there is no room for more: rather short arcs than crowded vertices
+    dualise(hull, cells);
+    merge_short_arcs(cells, most_sides);
 }
 
 }  // namespace sinew::sqm
