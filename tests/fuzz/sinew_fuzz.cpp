@@ -1,0 +1,8 @@
+#include <cstdint>
+
+#include "round_trip.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    sinew::check_round_trip({reinterpret_cast<const char*>(data), size}, "a.sinew", "a.sinew");
+    return 0;
+}
