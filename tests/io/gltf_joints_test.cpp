@@ -55,6 +55,16 @@ TEST(GltfJoints, WithoutASkinTheSceneIsTheSkeleton) {
     EXPECT_THAT(d.names, ElementsAre("hand", "fore", "helper"));
 }
 
+TEST(GltfJoints, NodesAboveAndBesideTheJointsAreNoJoints) {
+    const Document d = parse_gltf(R"({"asset": {"version": "2.0"}, "skins": [{"joints": [2, 3]}], "nodes": [
+        {"children": [1, 4]}, {"children": [2]}, {"children": [3]}, {"translation": [0, 1, 0]}, {"mesh": 0}]})")
+                           .value()
+                           .document;
+    ASSERT_THAT(d.nodes, SizeIs(2));
+    EXPECT_EQ(d.nodes[0].parent, -1);
+    EXPECT_EQ(d.nodes[1].parent, 0);
+}
+
 std::string binary(const std::string& json) {
     auto word = [](std::uint32_t value) {
         std::string bytes;

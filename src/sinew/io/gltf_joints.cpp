@@ -194,8 +194,7 @@ Result<Document> joints(const GltfNodes& nodes, const std::vector<std::int32_t>&
     for (std::int32_t i : order) {
         const std::int32_t parent = nodes.parent[i];
         if (parent >= 0) global[i] = global[parent] * nodes.local[i];
-        joint_above[i] = nodes.is_joint[i] || parent < 0 ? i : joint_above[parent];
-        if (!nodes.is_joint[joint_above[i]]) joint_above[i] = -1;
+        joint_above[i] = nodes.is_joint[i] ? i : parent < 0 ? -1 : joint_above[parent];
     }
     Document document{.unit = "m"};
     std::vector<std::int32_t> index(order.size(), -1);

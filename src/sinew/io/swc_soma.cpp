@@ -27,7 +27,8 @@ bool is_three_point(const std::vector<SwcSample>& samples, const Children& child
     const double tolerance = 0.01 * middle.radius;
     for (std::int32_t child : children[root]) {
         if (!children[child].empty()) return false;
-        if (std::abs(samples[child].radius - middle.radius) > tolerance) return false;
+        const bool has_radius = samples[child].radius > 0;  // otherwise repair would give it the root's
+        if (has_radius && std::abs(samples[child].radius - middle.radius) > tolerance) return false;
         if (std::abs((samples[child].position - middle.position).norm() - middle.radius) > tolerance)
             return false;
     }

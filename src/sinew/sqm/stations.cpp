@@ -175,7 +175,8 @@ class PathBuilder {
     void add_bone_rings(std::int32_t bone) {
         const ConeFrom cone(position(bone), radius(bone), position(bone + 1), radius(bone + 1));
         if (cone.nested()) return;
-        const auto [low, high] = free_part(bone, cone);
+        const std::pair<double, double> free = free_part(bone, cone);
+        const double low = free.first, high = free.second;  // clang 14: a lambda takes no structured binding
         const bool at_near = near_.any() && bone == 0, at_far = far_.any() && bone == bone_count() - 1;
         const double low_edge = edge(cone.radius_at(low)), high_edge = edge(cone.radius_at(high)),
                      room = high - low;
