@@ -1,8 +1,5 @@
 #include "sinew/render/mesh_buffers.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "sinew/render/normals.h"
 
 namespace sinew {
@@ -14,81 +11,97 @@ constexpr Colour crease_colour{20, 120, 235};
 
 std::uint32_t pack(const Vec3f& n) {
     const auto bits = [](float x) {
-        return static_cast<std::uint32_t>(std::lrint(std::clamp(x, -1.f, 1.f) * 511)) & 1023u;
+        return static_cast<std::uint32_t>(static_cast<std::int32_t>(x * 511 + (x < 0 ? -0.5f : 0.5f))) &
+               1023u;
     };
     return bits(n.x()) | bits(n.y()) << 10 | bits(n.z()) << 20;
 }
 
-/// Writes the corners and triangles of one face after another.
+/// Writes the corners and triangles of one face after another, in their order.
 class FaceWriter {
   public:
-    FaceWriter(const QuadMesh& mesh, MeshBuffers& buffers) : mesh_(mesh), buffers_(buffers) {
-        faces_ = face_normals(mesh);
-        corners_ = corner_normals(mesh, faces_);
+    FaceWriter(const QuadMesh& mesh, MeshBuffers& buffers)
+        : mesh_(mesh), buffers_(buffers), normals_(normals_of(mesh)) {
         buffers_.vertices.reserve(mesh.corners.size());
         buffers_.triangles.reserve(6 * mesh.face_count());
+        packed_.reserve(mesh.vertex_count());
+        for (const Vec3f& normal : normals_.vertices) packed_.push_back(pack(normal));
     }
 
     void write(std::size_t f) {
         const auto face = mesh_.face(f);
-        if (face.size() == 4) return write_quad(f);
-        if (face.size() == 3) return write_triangle(f);
-        if (face.size() > 4) write_fan(f);
+        face_normal_ = pack(normals_.faces[f]);
+        first_ = static_cast<std::uint32_t>(buffers_.vertices.size());
+        if (face.size() == 4) write_quad(face, mesh_.face_offsets[f]);
+        if (face.size() == 3) write_triangle(face, mesh_.face_offsets[f]);
+        if (face.size() > 4) write_fan(face, mesh_.face_offsets[f]);
     }
 
   private:
-    const Vec3f& position(std::size_t f, std::size_t i) const { return mesh_.positions[mesh_.face(f)[i]]; }
+    using Face = std::span<const std::uint32_t>;
 
-    void add(const Vec3f& position, const Vec3f& normal, std::size_t f, int u, int v, FacePart part) {
-        buffers_.vertices.push_back({{position.x(), position.y(), position.z()},
-                                     pack(normal),
-                                     pack(faces_[f]),
+    void add(const Vec3f& p, std::uint32_t normal, int u, int v, FacePart part) {
+        buffers_.vertices.push_back({{p.x(), p.y(), p.z()},
+                                     normal,
+                                     face_normal_,
                                      static_cast<std::uint8_t>(u * 255),
                                      static_cast<std::uint8_t>(v * 255),
                                      part});
     }
-    void add_corner(std::size_t f, std::size_t i, int u, int v, FacePart part) {
-        add(position(f, i), corners_[mesh_.face_offsets[f] + i], f, u, v, part);
+    void add_corner(std::uint32_t vertex, std::uint32_t normal, int u, int v, FacePart part) {
+        add(mesh_.positions[vertex], normal, u, v, part);
     }
-    void add_triangle(std::size_t first, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        const auto base = static_cast<std::uint32_t>(first);
-        buffers_.triangles.insert(buffers_.triangles.end(), {base + a, base + b, base + c});
+    void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        buffers_.triangles.insert(buffers_.triangles.end(), {first_ + a, first_ + b, first_ + c});
+    }
+
+    /// The normal of the next corner; corners are asked for in their order.
+    std::uint32_t normal_of(std::uint32_t vertex, std::uint32_t corner) {
+        if (next_split_ < normals_.splits.size() && normals_.splits[next_split_].corner == corner)
+            return pack(normals_.splits[next_split_++].normal);
+        return normals_.vertices[vertex].isZero(0) ? face_normal_ : packed_[vertex];
     }
 
     /// Cut along the shorter diagonal: it follows the surface better.
-    void write_quad(std::size_t f) {
-        const std::size_t first = buffers_.vertices.size();
-        for (int i = 0; i < 4; ++i) add_corner(f, i, i == 1 || i == 2, i >= 2, FacePart::quad);
-        const float even = (position(f, 2) - position(f, 0)).squaredNorm();
-        const float odd = (position(f, 3) - position(f, 1)).squaredNorm();
-        const std::uint32_t turn = odd < even ? 1 : 0;
-        add_triangle(first, turn, turn + 1, turn + 2);
-        add_triangle(first, turn, turn + 2, (turn + 3) % 4);
+    void write_quad(Face face, std::uint32_t corner) {
+        for (std::uint32_t i = 0; i < 4; ++i)
+            add_corner(face[i], normal_of(face[i], corner + i), i == 1 || i == 2, i >= 2, FacePart::quad);
+        const auto at = [&](std::size_t i) -> const Vec3f& { return mesh_.positions[face[i]]; };
+        const std::uint32_t turn = (at(3) - at(1)).squaredNorm() < (at(2) - at(0)).squaredNorm() ? 1 : 0;
+        add_triangle(turn, turn + 1, turn + 2);
+        add_triangle(turn, turn + 2, (turn + 3) % 4);
     }
 
-    void write_triangle(std::size_t f) {
-        const std::size_t first = buffers_.vertices.size();
-        for (int i = 0; i < 3; ++i) add_corner(f, i, i == 1, i == 2, FacePart::triangle);
-        add_triangle(first, 0, 1, 2);
+    void write_triangle(Face face, std::uint32_t corner) {
+        for (std::uint32_t i = 0; i < 3; ++i)
+            add_corner(face[i], normal_of(face[i], corner + i), i == 1, i == 2, FacePart::triangle);
+        add_triangle(0, 1, 2);
     }
 
     /// Triangles round the middle; no face of ours is like this, but files of others have them.
-    void write_fan(std::size_t f) {
-        const std::size_t n = mesh_.face(f).size();
+    void write_fan(Face face, std::uint32_t corner) {
+        const auto n = static_cast<std::uint32_t>(face.size());
+        std::vector<std::uint32_t> normals(n);
         Vec3f middle = Vec3f::Zero();
-        for (std::size_t i = 0; i < n; ++i) middle += position(f, i) / static_cast<float>(n);
-        for (std::size_t i = 0; i < n; ++i) {
-            const std::size_t first = buffers_.vertices.size();
-            add(middle, faces_[f], f, 1, 0, FacePart::fan);
-            add_corner(f, i, 0, 0, FacePart::fan);
-            add_corner(f, (i + 1) % n, 0, 0, FacePart::fan);
-            add_triangle(first, 0, 1, 2);
+        for (std::uint32_t i = 0; i < n; ++i) {
+            normals[i] = normal_of(face[i], corner + i);
+            middle += mesh_.positions[face[i]] / static_cast<float>(n);
+        }
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const std::uint32_t j = (i + 1) % n;
+            add(middle, face_normal_, 1, 0, FacePart::fan);
+            add_corner(face[i], normals[i], 0, 0, FacePart::fan);
+            add_corner(face[j], normals[j], 0, 0, FacePart::fan);
+            add_triangle(3 * i, 3 * i + 1, 3 * i + 2);
         }
     }
 
     const QuadMesh& mesh_;
     MeshBuffers& buffers_;
-    std::vector<Vec3f> faces_, corners_;
+    Normals normals_;
+    std::vector<std::uint32_t> packed_;  ///< the vertices' normals
+    std::size_t next_split_ = 0;
+    std::uint32_t face_normal_ = 0, first_ = 0;
 };
 
 /// What is round a vertex. The sums over the neighbours before and after it in its faces cancel where the
@@ -108,7 +121,7 @@ std::vector<Around> count_around(const QuadMesh& mesh) {
             Around& here = around[face[i]];
             ++here.faces;
             here.triangles += n == 3;
-            here.border += scatter(face[(i + 1) % n]) - scatter(face[(i + n - 1) % n]);
+            here.border += scatter(face[i + 1 < n ? i + 1 : 0]) - scatter(face[i > 0 ? i - 1 : n - 1]);
         }
     }
     return around;

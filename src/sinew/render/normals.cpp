@@ -7,9 +7,12 @@
 namespace sinew {
 namespace {
 
-Vec3f unit(const Vec3f& v, const Vec3f& otherwise) {
+/// The zero vector stays one. Squares of what is very long or short would leave the range of a float.
+Vec3f unit(const Vec3f& v) {
+    const float square = v.squaredNorm();
+    if (square > 1e-30f && square < 1e30f) return v / std::sqrt(square);
     const float length = v.stableNorm();
-    return length > 0 && std::isfinite(length) ? Vec3f(v / length) : otherwise;
+    return length > 0 && std::isfinite(length) ? Vec3f(v / length) : Vec3f::Zero();
 }
 
 /// Twice the area, along the normal; right for faces that are not planar too.
@@ -27,18 +30,10 @@ Vec3f share_of(const Vec3f& before, const Vec3f& here, const Vec3f& after) {
     return weight > 0 ? Vec3f(a.cross(b) / weight) : Vec3f::Zero();
 }
 
-/// What each corner adds to the normal of its vertex.
-std::vector<Vec3f> corner_shares(const QuadMesh& mesh) {
-    std::vector<Vec3f> shares(mesh.corners.size());
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        const auto face = mesh.face(f);
-        const std::size_t n = face.size();
-        for (std::size_t i = 0; i < n; ++i)
-            shares[mesh.face_offsets[f] + i] =
-                share_of(mesh.positions[face[(i + n - 1) % n]], mesh.positions[face[i]],
-                         mesh.positions[face[(i + 1) % n]]);
-    }
-    return shares;
+/// What corner i of a face adds to the normal of its vertex.
+Vec3f share_of(const QuadMesh& mesh, std::span<const std::uint32_t> face, std::size_t i) {
+    const std::size_t before = i == 0 ? face.size() - 1 : i - 1, after = i + 1 == face.size() ? 0 : i + 1;
+    return share_of(mesh.positions[face[before]], mesh.positions[face[i]], mesh.positions[face[after]]);
 }
 
 using EdgeKey = std::uint64_t;
@@ -58,6 +53,7 @@ std::vector<EdgeKey> sharp_edges(const QuadMesh& mesh) {
 struct SharpCorner {
     std::uint32_t vertex, corner;
     EdgeKey in, out;
+    Vec3f share;
 };
 
 std::vector<SharpCorner> sharp_corners(const QuadMesh& mesh, const std::vector<EdgeKey>& sharp) {
@@ -70,7 +66,8 @@ std::vector<SharpCorner> sharp_corners(const QuadMesh& mesh, const std::vector<E
         for (std::size_t i = 0; i < n; ++i) {
             if (!at_sharp[face[i]]) continue;
             corners.push_back({face[i], static_cast<std::uint32_t>(mesh.face_offsets[f] + i),
-                               key_of(face[(i + n - 1) % n], face[i]), key_of(face[i], face[(i + 1) % n])});
+                               key_of(face[(i + n - 1) % n], face[i]), key_of(face[i], face[(i + 1) % n]),
+                               share_of(mesh, face, i)});
         }
     }
     std::stable_sort(corners.begin(), corners.end(),
@@ -78,9 +75,9 @@ std::vector<SharpCorner> sharp_corners(const QuadMesh& mesh, const std::vector<E
     return corners;
 }
 
-/// Sums the shares of the corners round one vertex that are not parted by a sharp edge.
-void sum_groups(std::span<const SharpCorner> around, const std::vector<EdgeKey>& sharp,
-                const std::vector<Vec3f>& shares, std::vector<Vec3f>& sums) {
+/// Normals of the corners round one vertex: those that are not parted by a sharp edge share one.
+void split(std::span<const SharpCorner> around, const std::vector<EdgeKey>& sharp,
+           std::vector<SplitNormal>& splits) {
     std::vector<std::size_t> group(around.size());
     std::iota(group.begin(), group.end(), std::size_t{0});
     for (std::size_t i = 0; i < around.size(); ++i) {
@@ -92,36 +89,36 @@ void sum_groups(std::span<const SharpCorner> around, const std::vector<EdgeKey>&
     for (std::size_t i = 0; i < around.size(); ++i) {
         Vec3f sum = Vec3f::Zero();
         for (std::size_t j = 0; j < around.size(); ++j)
-            if (group[j] == group[i]) sum += shares[around[j].corner];
-        sums[around[i].corner] = sum;
+            if (group[j] == group[i]) sum += around[j].share;
+        splits.push_back({around[i].corner, unit(sum)});
     }
+}
+
+std::vector<SplitNormal> split_normals(const QuadMesh& mesh) {
+    const std::vector<EdgeKey> sharp = sharp_edges(mesh);
+    std::vector<SplitNormal> splits;
+    if (sharp.empty()) return splits;
+    const std::vector<SharpCorner> corners = sharp_corners(mesh, sharp);
+    for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end) {
+        while (end < corners.size() && corners[end].vertex == corners[begin].vertex) ++end;
+        split({corners.data() + begin, end - begin}, sharp, splits);
+    }
+    std::sort(splits.begin(), splits.end(),
+              [](const SplitNormal& a, const SplitNormal& b) { return a.corner < b.corner; });
+    return splits;
 }
 
 }  // namespace
 
-std::vector<Vec3f> face_normals(const QuadMesh& mesh) {
-    std::vector<Vec3f> normals(mesh.face_count());
-    for (std::size_t f = 0; f < mesh.face_count(); ++f)
-        normals[f] = unit(area_vector(mesh, mesh.face(f)), Vec3f::Zero());
-    return normals;
-}
-
-std::vector<Vec3f> corner_normals(const QuadMesh& mesh, const std::vector<Vec3f>& face_normals) {
-    const std::vector<Vec3f> shares = corner_shares(mesh);
-    std::vector<Vec3f> at_vertex(mesh.vertex_count(), Vec3f::Zero());
-    for (std::size_t c = 0; c < shares.size(); ++c) at_vertex[mesh.corners[c]] += shares[c];
-    std::vector<Vec3f> normals(shares.size());
-    for (std::size_t c = 0; c < shares.size(); ++c) normals[c] = at_vertex[mesh.corners[c]];
-
-    const std::vector<EdgeKey> sharp = sharp_edges(mesh);
-    const std::vector<SharpCorner> corners = sharp_corners(mesh, sharp);
-    for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end) {
-        while (end < corners.size() && corners[end].vertex == corners[begin].vertex) ++end;
-        sum_groups({corners.data() + begin, end - begin}, sharp, shares, normals);
+Normals normals_of(const QuadMesh& mesh) {
+    Normals normals{std::vector<Vec3f>(mesh.face_count()),
+                    std::vector<Vec3f>(mesh.vertex_count(), Vec3f::Zero()), split_normals(mesh)};
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const auto face = mesh.face(f);
+        normals.faces[f] = unit(area_vector(mesh, face));
+        for (std::size_t i = 0; i < face.size(); ++i) normals.vertices[face[i]] += share_of(mesh, face, i);
     }
-    for (std::size_t f = 0; f < mesh.face_count(); ++f)
-        for (std::size_t c = mesh.face_offsets[f]; c < mesh.face_offsets[f + 1]; ++c)
-            normals[c] = unit(normals[c], face_normals[f]);
+    for (Vec3f& normal : normals.vertices) normal = unit(normal);
     return normals;
 }
 

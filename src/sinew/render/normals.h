@@ -2,18 +2,30 @@
 /// Normals to light a mesh with.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sinew/mesh/quad_mesh.h"
 
 namespace sinew {
 
-/// One unit normal a face, outward; zero for a face without an area.
-std::vector<Vec3f> face_normals(const QuadMesh& mesh);
+/// The normal of one face corner whose vertex has several, since creases meet there.
+struct SplitNormal {
+    std::uint32_t corner = 0;  ///< index in QuadMesh::corners
+    Vec3f normal = Vec3f::Zero();
+};
 
-/// One unit normal a face corner: the mean over the faces round its vertex, weighted as in N. Max, "Weights
-/// for computing vertex normals from facet normals" (1999), which is exact on spheres. Creases of sharpness 1
-/// and above part the faces. Where there is no normal to be had it is the face's. Linear time.
-std::vector<Vec3f> corner_normals(const QuadMesh& mesh, const std::vector<Vec3f>& face_normals);
+/// Unit normals, outward; zero where there is none to be had (a face without an area, a vertex without a
+/// face).
+struct Normals {
+    std::vector<Vec3f> faces;
+    std::vector<Vec3f> vertices;
+    std::vector<SplitNormal> splits;  ///< in ascending order; these corners do not take their vertex's normal
+};
+
+/// A vertex's normal is the mean over the faces round it, weighted as in N. Max, "Weights for computing
+/// vertex normals from facet normals" (1999), which is exact on spheres. Creases of sharpness 1 and above
+/// part the faces. Linear time.
+Normals normals_of(const QuadMesh& mesh);
 
 }  // namespace sinew
