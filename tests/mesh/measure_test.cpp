@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "mesh/shapes.h"
+#include "sinew/io/obj.h"
 
 namespace sinew {
 namespace {
@@ -102,6 +107,45 @@ TEST(Measure, FlatAndFoldedFaces) {
         measure(shapes::from_faces({{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}));
     EXPECT_DOUBLE_EQ(square.quad_aspect.mean, 3);
     EXPECT_DOUBLE_EQ(square.quad_quality.mean, 1);
+}
+
+TEST(Measure, AgreesWithTheToolOfTheSharedFolder) {
+    const char* shared = std::getenv("SINEW_SHARED");
+    const std::filesystem::path tool =
+        std::filesystem::path(shared ? shared : SINEW_SOURCE_FOLDER "/../shared") / "tools/meshstats.py";
+    if (!std::filesystem::exists(tool)) GTEST_SKIP() << "there is no " << tool;
+    const std::string path = testing::TempDir() + "sinew_measure";
+    const QuadMesh cube = shapes::cube();
+    QuadMesh touching = shapes::together(cube, shapes::moved(cube, {1, 1, 1}));
+    for (std::uint32_t& v : touching.corners) v = v == 8 ? 7 : v;
+    for (const QuadMesh& mesh : {shapes::tube(9, 5), shapes::torus(8, 7), shapes::octahedron(),
+                                 shapes::without_faces(cube, {1, 2}), shapes::with_face_flipped(cube, 4),
+                                 touching, shapes::together(shapes::sphere(4), shapes::tube(3, 11))}) {
+        std::ofstream(path + ".obj") << obj_text(mesh);
+        const std::string command =
+            "/usr/bin/python3 " + tool.string() + " " + path + ".obj > " + path + ".json";
+        if (std::system(command.c_str()) != 0) GTEST_SKIP() << "python3 with numpy is needed to run it";
+        const auto told = nlohmann::json::parse(std::ifstream(path + ".json"));
+        const Validation v = validate(mesh);
+        const Measures m = measure(mesh);
+        EXPECT_EQ(v.edges, told["E"]);
+        EXPECT_EQ(v.boundary_edges.count, told["boundary_edges"]);
+        EXPECT_EQ(v.nonmanifold_edges.count, told["nonmanifold_edges"]);
+        EXPECT_EQ(v.nonmanifold_vertices.count, told["nonmanifold_verts"]);
+        EXPECT_EQ(v.flipped_edges.count, told["flipped_edges"]);
+        EXPECT_EQ(v.loose_vertices.count, told["loose_verts"]);
+        EXPECT_EQ(v.components, told["components"]);
+        EXPECT_EQ(v.euler, told["euler"]);
+        EXPECT_EQ(v.closed() && v.manifold(), told["manifold"]);
+        EXPECT_EQ(m.quads, told["quads"]);
+        EXPECT_EQ(m.triangles, told["tris"]);
+        EXPECT_EQ(m.irregular_vertices, told["extraordinary"]);
+        EXPECT_EQ(std::max(m.max_valence, m.max_pole_valence), told["max_valence"]);
+        EXPECT_NEAR(m.area, told["area"], 1e-5);
+        if (v.closed() && v.oriented()) {
+            EXPECT_NEAR(m.volume, told["volume"], 1e-5);
+        }
+    }
 }
 
 TEST(Measure, NothingAtAll) {
