@@ -1,5 +1,16 @@
 /// @file extend.h
 /// From a document's node types to the plain skeleton that the mesher takes.
+///
+/// M. Mc Donnell, "Skeleton-based and Interactive 3D Modeling", DTU 2012, extended trees: every type becomes
+/// a few plain nodes.
+///
+/// | node | becomes |
+/// |---|---|
+/// | sphere, cone, hemisphere leaf | itself, with a cap; a form where it is scaled, rectangular or sharp |
+/// | cube on a bone or at its end | two rings at its faces, and one each where a narrower tube meets a face |
+/// | cube at a root or a branch | a box joint; a plate where a narrower tube leaves; a flat cap on every free
+/// face | | ball | a ball joint; a ring where each tube leaves; surface bones where it would be bare | |
+/// negative | a pit on its parent, which becomes a joint |
 #pragma once
 
 #include "sinew/base/result.h"
@@ -9,12 +20,12 @@
 
 namespace sinew {
 
-/// A pure function of the document and of its conditioned graph. Fails for node types that cannot be skinned
-/// yet, naming the node.
-Result<Plain> extend(const Document& document, CleanGraph&& graph);
+/// A pure function of the document and of its conditioned graph. What cannot be made as drawn (a pit deeper
+/// than its parent) is made as near to it as can be, with a warning that names the node.
+Plain extend(const Document& document, const CleanGraph& graph, Warnings& warnings);
 
 /// The mirror image of the skeleton in the plane x = 0, y = 0 or z = 0, whichever is the first that maps it
-/// onto itself exactly, bones and radii included; order 1 if there is none.
+/// onto itself exactly, bones, radii and forms included; order 1 if there is none.
 Automorphism find_mirror(const Plain& skeleton);
 
 }  // namespace sinew

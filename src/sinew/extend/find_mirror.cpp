@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "sinew/extend/extend.h"
@@ -18,18 +19,25 @@ class MirrorSearch {
         std::vector<std::int32_t> image;
         for (std::int32_t i = 0; i < s_.node_count(); ++i) {
             const std::int32_t j = find(key(i, true));
-            if (j < 0) return {};
+            if (j < 0 || !forms_match(i, j)) return {};
             image.push_back(j);
         }
         return bones_follow(image) ? image : std::vector<std::int32_t>{};
     }
 
   private:
-    using Key = std::array<double, 5>;
+    using Key = std::array<double, 7>;
     Key key(std::int32_t i, bool reflected) const {
         Vec3 p = s_.position[i];
         if (reflected) p[axis_] = -p[axis_];
-        return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0, s_.radius[i], static_cast<double>(s_.cap[i])};
+        const Form* form = s_.form(i);
+        return {p.x() + 0.0,
+                p.y() + 0.0,
+                p.z() + 0.0,
+                s_.radius[i],
+                static_cast<double>(s_.cap[i]),
+                s_.pit_depth[i],
+                form ? 1.0 + static_cast<double>(form->kind) : 0.0};
     }
     /// Most skeletons are found out at once.
     bool extent_is_even() const {
@@ -49,6 +57,20 @@ class MirrorSearch {
                                          [&](std::int32_t i, const Key& k) { return key(i, false) < k; });
         if (at == order_.end() || key(*at, false) != wanted) return -1;
         return at + 1 != order_.end() && key(at[1], false) == wanted ? -1 : *at;
+    }
+    /// The outlines, which do not change when an axis is turned round, must be each other's reflection.
+    bool forms_match(std::int32_t i, std::int32_t j) const {
+        const Form *a = s_.form(i), *b = s_.form(j);
+        if (!a || !b) return a == b;
+        const auto reflected = [&](Vec3 v) { return v[axis_] = -v[axis_], v; };
+        const auto along = [](const Vec3& u, const Vec3& v) { return std::abs(u.dot(v)) > 1 - 1e-9; };
+        const bool straight =
+            along(reflected(a->x), b->x) && (a->half - b->half).norm() <= 1e-9 * a->half.norm();
+        const Vec3 swapped(b->half.y(), b->half.x(), b->half.z());
+        const bool crossed =
+            along(reflected(a->x), b->y) && (a->half - swapped).norm() <= 1e-9 * a->half.norm();
+        return along(reflected(a->z), b->z) && (straight || crossed) && a->section == b->section &&
+               a->sharpness == b->sharpness;
     }
     bool bones_follow(const std::vector<std::int32_t>& image) const {
         const auto sorted = [](std::vector<Bone> bones) {

@@ -43,6 +43,11 @@ class Repair {
         return i;
     }
 
+    bool is_plain(std::int32_t i) const {
+        const Node& node = document_.nodes[i];
+        return node.type == NodeType::sphere && node.section == Section::round;
+    }
+
     void warn(std::string_view what, std::int64_t count, std::vector<std::int64_t> nodes = {}) {
         if (count > 0) warnings_.push_back({fmt::format("{} {}", count, what), count, std::move(nodes)});
     }
@@ -66,6 +71,7 @@ class Repair {
         for (const Bone& bone : bones_) {
             const std::int32_t a = root(bone[0]), b = root(bone[1]);
             if (a == b || !coincide(a, b)) continue;
+            if (!is_plain(bone[0]) || !is_plain(bone[1])) continue;  // drawn on purpose
             merge(a, b);
             note(nodes, bone[1]);
             ++count;

@@ -6,6 +6,27 @@
 namespace sinew {
 namespace {
 
+/// Sine and cosine of degrees, exact at multiples of 90 and symmetric at those of 45.
+std::pair<double, double> sine_cosine(double degrees) {
+    double turn = std::fmod(degrees, 360.0);
+    if (turn < 0) turn += 360;
+    const int quarter = static_cast<int>(turn / 90);
+    const double rest = turn - 90.0 * quarter;
+    double s = std::sin(rest * std::numbers::pi / 180), c = std::cos(rest * std::numbers::pi / 180);
+    if (rest == 0) s = 0, c = 1;
+    if (rest == 45) s = c = std::sqrt(0.5);
+    switch (quarter) {
+        case 1:
+            return {c, -s};
+        case 2:
+            return {-s, -c};
+        case 3:
+            return {-c, s};
+        default:
+            return {s, c};
+    }
+}
+
 Vec3 unit(const Vec3& v, const Vec3& otherwise) {
     const double length = v.stableNorm();
     return length > 0 && std::isfinite(length) ? Vec3(v / length) : otherwise;
@@ -30,7 +51,12 @@ Mat3 frame_about(const Vec3& z, double roll) {
     frame.col(0) = (across - across.dot(z) * z).normalized();
     frame.col(1) = z.cross(frame.col(0));
     frame.col(2) = z;
-    return frame * Eigen::AngleAxisd(roll * std::numbers::pi / 180, Vec3::UnitZ()).toRotationMatrix();
+    if (roll == 0) return frame;
+    const auto [sine, cosine] = sine_cosine(roll);
+    Mat3 rolled = frame;
+    rolled.col(0) = cosine * frame.col(0) + sine * frame.col(1);
+    rolled.col(1) = cosine * frame.col(1) - sine * frame.col(0);
+    return rolled;
 }
 
 Mat3 local_frame(const Document& document, const std::vector<Bone>& bones, const Adjacency& neighbours,

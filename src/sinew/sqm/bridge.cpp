@@ -88,6 +88,7 @@ class Builder {
         vertices_ = d_.points.position.size();
         out_.path_vertex.push_back(static_cast<std::uint32_t>(vertices_));
         first_face_ = {0};
+        out_.path_face = {0};
         first_corner_ = {0};
         for (std::int32_t p = 0; p < n_.path_count(); ++p) {
             const std::uint64_t rings = ring_count(p), n = sides(p);
@@ -105,6 +106,7 @@ class Builder {
             first_face_.push_back(first_face_.back() + bands + fans);
             first_corner_.push_back(first_corner_.back() + 4 * bands + 3 * fans);
             out_.path_vertex.push_back(static_cast<std::uint32_t>(vertices_));
+            out_.path_face.push_back(static_cast<std::uint32_t>(first_face_.back()));
             if (vertices_ > 4'000'000'000u || first_corner_.back() > 4'200'000'000u) return false;
         }
         find_capped();
@@ -161,17 +163,10 @@ class Builder {
             out.resize(n);
             for (std::uint32_t k = 0; k < n; ++k) out[k] = out_.path_vertex[p] + i * n + k;
         };
-        const auto joint_ring = [&](int end, std::vector<std::uint32_t>& out) {
-            const PathEnd& e = n_.path_end[p][end];
-            out.clear();
-            append_ring(d_.polyhedra, d_.refinement, d_.points, e.joint,
-                        d_.polyhedra.cell_first[e.joint] + e.slot, out);
-            if (end == 1) std::reverse(out.begin(), out.end());
-        };
         const std::size_t shift = d_.stations.far_shift[p];
         std::int32_t next = 0;
         if (!n_.path_closed[p] && n_.path_end[p][0].at_joint()) {
-            joint_ring(0, a);
+            joint_ring_of_path(d_, p, 0, a);
         } else {
             ring(next++, a);
             if (has_pole(p, 0))
@@ -186,8 +181,8 @@ class Builder {
             ring(0, b);
             band(c, a, b, shift);
         } else if (n_.path_end[p][1].at_joint()) {
-            joint_ring(1, b);
-            band(c, a, b, shift);
+            joint_ring_of_path(d_, p, 1, b);
+            band(c, a, b, 0);
         } else {
             for (std::uint32_t k = 0; k < n; ++k) triangle(c, a[k], a[(k + 1) % n], out_.path_pole[p][1]);
         }
@@ -225,6 +220,15 @@ class Builder {
 const std::array<std::array<int, 3>, 26>& lone_sphere_points() {
     static const auto points = make_sphere_points();
     return points;
+}
+
+void joint_ring_of_path(const Parts& d, std::int32_t path, int end, std::vector<std::uint32_t>& ring) {
+    const PathEnd& e = d.network.path_end[path][end];
+    ring.clear();
+    append_ring(d.polyhedra, d.refinement, d.points, e.joint, d.polyhedra.cell_first[e.joint] + e.slot, ring);
+    if (end == 0) return;
+    std::reverse(ring.begin(), ring.end());
+    std::rotate(ring.begin(), ring.begin() + d.stations.far_shift[path], ring.end());
 }
 
 Result<Bridge> bridge(const Parts& parts, const Progress& progress) { return Builder(parts).run(progress); }

@@ -21,13 +21,17 @@ namespace sinew::sqm {
 struct Bridge {
     std::vector<std::uint32_t> path_vertex;  ///< path -> first vertex of its rings; paths + 1 entries
     std::vector<std::array<std::uint32_t, 2>>
-        path_pole;                     ///< path -> poles at its start and end; no_vertex if there is none
-    std::vector<std::int32_t> capped;  ///< cells without a bone
-    std::uint32_t capped_pole = 0;     ///< the pole of capped[i] is capped_pole + i
-    std::uint32_t lone_vertex = 0;     ///< lone node i has 26 vertices from lone_vertex + 26 i on
-    QuadMesh mesh;                     ///< faces and poles; positions sized but not set
+        path_pole;                         ///< path -> poles at its start and end; no_vertex if there is none
+    std::vector<std::uint32_t> path_face;  ///< path -> its first face; paths + 1 entries
+    std::vector<std::int32_t> capped;      ///< cells without a bone
+    std::uint32_t capped_pole = 0;         ///< the pole of capped[i] is capped_pole + i
+    std::uint32_t lone_vertex = 0;         ///< lone node i has 26 vertices from lone_vertex + 26 i on
+    QuadMesh mesh;                         ///< faces and poles; positions sized but not set
 };
 inline constexpr std::uint32_t no_vertex = ~std::uint32_t{0};
+
+/// Faces of a path, from path_face on: the fan of its first pole if it has one, n quads for each two
+/// neighbouring rings (those of joints included), the fan of its last pole.
 
 struct Parts {
     const Plain& skeleton;
@@ -39,6 +43,9 @@ struct Parts {
 };
 
 Result<Bridge> bridge(const Parts& parts, const Progress& progress = {});
+
+/// The ring of the joint at one end of a path, in the path's sense; entry k is where column k ends.
+void joint_ring_of_path(const Parts& parts, std::int32_t path, int end, std::vector<std::uint32_t>& ring);
 
 /// Corner directions (not unit) of the 26 vertices of a lone node's sphere: those of a cube of 3 x 3 x 3
 /// points but its middle.

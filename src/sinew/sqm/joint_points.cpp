@@ -3,39 +3,14 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "sinew/sqm/joint_surface.h"
+
 namespace sinew::sqm {
 namespace {
-
-/// Node beyond a slot's first bone.
-std::int32_t next_node(const Network& n, std::int32_t slot) {
-    const std::int32_t path_and_end = n.slot_path[slot];
-    const auto nodes = n.nodes(path_and_end / 2);
-    return path_and_end % 2 == 0 ? nodes[1] : nodes[nodes.size() - 2];
-}
-bool straight_to_joint(const Network& n, std::int32_t slot) {
-    const std::int32_t path = n.slot_path[slot] / 2;
-    return n.nodes(path).size() == 2 && n.path_end[path][0].at_joint() && n.path_end[path][1].at_joint();
-}
-
-/// How far along its bone a joint may reach: up to where the next joint's share begins.
-double reach_limit(const Network& n, const JointPoints& points, std::int32_t slot) {
-    if (!straight_to_joint(n, slot)) return std::numeric_limits<double>::infinity();
-    const ConeFrom& cone = points.cone[slot];
-    return 0.9 * cone.length * cone.near / (cone.near + cone.far);
-}
-
-Vec3 point_towards(const Plain& skeleton, const Network& n, const JointPoints& points, std::int32_t joint,
-                   const Vec3& ray) {
-    double distance = exit_of_joint(n, points, joint, ray);
-    for (std::int32_t slot = n.slot_first[joint]; slot < n.slot_first[joint + 1]; ++slot) {
-        const double along = ray.dot(points.cone[slot].axis), limit = reach_limit(n, points, slot);
-        if (along > 0 && distance * along > limit) distance = limit / along;
-    }
-    return skeleton.position[n.joint_node[joint]] + distance * ray;
-}
 
 void lay_out(const Network& n, const Polyhedra& p, const Refinement& r, JointPoints& points) {
     points.first.resize(n.joint_count() + 1);
@@ -53,36 +28,75 @@ void lay_out(const Network& n, const Polyhedra& p, const Refinement& r, JointPoi
     points.position.resize(next);
 }
 
-}  // namespace
+/// Casts the points of one joint onto its surface.
+class Caster {
+  public:
+    Caster(const Plain& skeleton, const Network& n, const Polyhedra& p, const Refinement& r,
+           JointPoints& points)
+        : s_(skeleton), n_(n), p_(p), r_(r), points_(points) {}
 
-double exit_of_joint(const Network& network, const JointPoints& points, std::int32_t joint, const Vec3& ray) {
-    double distance = 0;
-    for (std::int32_t slot = network.slot_first[joint]; slot < network.slot_first[joint + 1]; ++slot)
-        distance = std::max(distance, points.cone[slot].exit(ray));
-    return distance;
-}
+    void cast(std::int32_t joint) {
+        joint_ = joint;
+        centre_ = s_.position[n_.joint_node[joint]];
+        const Form* body = points_.body[joint];
+        if (body && body->kind == Form::Kind::box) return box(*body);
+        Vec3* at = &points_.position[points_.first[joint]];
+        for (std::int32_t v = p_.vertex_first[joint]; v < p_.vertex_first[joint + 1]; ++v)
+            *at++ = along(p_.vertices[v]);
+        for (std::int32_t a = p_.arc_first[joint]; a < p_.arc_first[joint + 1]; ++a)
+            for (std::int32_t i = 1; i < r_.pieces[a]; ++i)
+                *at++ = along(point_on_arc(p_, p_.arcs[a], double(i) / r_.pieces[a]));
+    }
+
+  private:
+    Vec3 along(const Vec3& ray) const {
+        double distance = exit_of_joint(n_, points_, joint_, centre_, ray);
+        for (std::int32_t slot = n_.slot_first[joint_]; slot < n_.slot_first[joint_ + 1]; ++slot) {
+            const double along = ray.dot(points_.cone[slot].axis);
+            if (along > 0 && distance * along > points_.limit[slot]) distance = points_.limit[slot] / along;
+        }
+        return centre_ + distance * ray;
+    }
+
+    /// Vertices are the corners, exactly; points on arcs are evenly spread along the edges.
+    void box(const Form& f) {
+        Vec3* at = &points_.position[points_.first[joint_]];
+        const auto corner = [&](std::int32_t v) {
+            const Vec3& ray = p_.vertices[v];
+            Vec3 c = centre_;
+            for (const auto& [axis, half] :
+                 {std::pair(f.x, f.half.x()), {f.y, f.half.y()}, {f.z, f.half.z()}})
+                c += (ray.dot(axis) < 0 ? -half : half) * axis;
+            return c;
+        };
+        for (std::int32_t v = p_.vertex_first[joint_]; v < p_.vertex_first[joint_ + 1]; ++v)
+            *at++ = corner(v);
+        for (std::int32_t a = p_.arc_first[joint_]; a < p_.arc_first[joint_ + 1]; ++a) {
+            const Vec3 from = corner(p_.arcs[a].from), to = corner(p_.arcs[a].to);
+            for (std::int32_t i = 1; i < r_.pieces[a]; ++i)
+                *at++ = from + (double(i) / r_.pieces[a]) * (to - from);
+        }
+    }
+
+    const Plain& s_;
+    const Network& n_;
+    const Polyhedra& p_;
+    const Refinement& r_;
+    JointPoints& points_;
+    std::int32_t joint_ = 0;
+    Vec3 centre_;
+};
+
+}  // namespace
 
 JointPoints make_joint_points(const Plain& skeleton, const Network& n, const Polyhedra& p,
                               const Refinement& r) {
     JointPoints points;
     lay_out(n, p, r, points);
-    points.cone.resize(n.slot_path.size());
+    find_joint_surfaces(skeleton, n, points);
     tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n.joint_count(), 64), [&](const auto& range) {
-        for (std::int32_t j = range.begin(); j < range.end(); ++j) {
-            const std::int32_t node = n.joint_node[j];
-            for (std::int32_t slot = n.slot_first[j]; slot < n.slot_first[j + 1]; ++slot) {
-                const std::int32_t next = next_node(n, slot);
-                points.cone[slot] = {skeleton.position[node], skeleton.radius[node], skeleton.position[next],
-                                     skeleton.radius[next]};
-            }
-            Vec3* at = &points.position[points.first[j]];
-            for (std::int32_t v = p.vertex_first[j]; v < p.vertex_first[j + 1]; ++v)
-                *at++ = point_towards(skeleton, n, points, j, p.vertices[v]);
-            for (std::int32_t a = p.arc_first[j]; a < p.arc_first[j + 1]; ++a)
-                for (std::int32_t i = 1; i < r.pieces[a]; ++i)
-                    *at++ = point_towards(skeleton, n, points, j,
-                                          point_on_arc(p, p.arcs[a], double(i) / r.pieces[a]));
-        }
+        Caster caster(skeleton, n, p, r, points);
+        for (std::int32_t j = range.begin(); j < range.end(); ++j) caster.cast(j);
     });
     return points;
 }

@@ -1,32 +1,67 @@
 /// @file joint_points.h
 /// The vertices of the mesh at the joints: where cells meet, and along the arcs between them.
 ///
-/// Each lies on the ideal surface, in its own direction from the joint's centre, so a joint never folds over
-/// itself.
+/// Each lies on the joint's surface, in its own direction from the joint's centre, so a joint never folds
+/// over itself. The surface is that of the round cones of its bones, or of the ball or box that the joint is,
+/// less its pits.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "sinew/sqm/ideal.h"
+#include "sinew/base/round_cone.h"
 #include "sinew/sqm/refine.h"
 
 namespace sinew::sqm {
+
+/// A bone of scaled or rectangular section, from a joint: a frustum whose outline goes from one half extent
+/// to another.
+struct BeamFrom {
+    Vec3 x, y, z;  ///< z along the bone
+    double length = 0;
+    Vec2 near, far;  ///< half extents along x and y
+    Section section = Section::round;
+
+    /// Where a ray from the middle of the near end leaves the beam; behind it, the outline turned into a cap.
+    double exit(const Vec3& ray) const;
+};
+
+/// A dent: an ellipsoid whose middle lies on the surface.
+struct PitShape {
+    Vec3 middle, x, y, z;  ///< z outward
+    Vec3 half;             ///< half width, half height, depth
+
+    /// A point inside the ellipsoid is moved towards the centre of its joint, onto the floor of the dent.
+    double press(const Vec3& centre, const Vec3& ray, double distance) const;
+};
+
+/// What a slot adds to its joint's surface.
+enum class SlotKind : std::uint8_t { cone, beam, surface, pit };
 
 struct JointPoints {
     std::vector<std::uint32_t> first;      ///< joint -> its first point; joints + 1 entries
     std::vector<std::uint32_t> arc_first;  ///< arc -> the first of its pieces - 1 inner points
     std::vector<Vec3> position;  ///< joint by joint: its vertices in order, then the inner points arc by arc
-    std::vector<ConeFrom> cone;  ///< slot (Network::slot_first) -> the round cone of its bone, from the joint
+
+    // By slot (Network::slot_first).
+    std::vector<ConeFrom> cone;  ///< the round cone of the slot's first bone, from the joint
+    std::vector<SlotKind> kind;
+    std::vector<double> limit;        ///< how far along its bone the joint may reach
+    std::vector<std::int32_t> extra;  ///< index in beams or pits, by kind
+    std::vector<BeamFrom> beams;
+    std::vector<PitShape> pits;
+    std::vector<const Form*> body;  ///< joint -> its ball or box; null: round cones
 };
 
 JointPoints make_joint_points(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
                               const Refinement& refinement);
 
-/// Where the ray from a joint's centre leaves the round cones of its bones: the distance.
-double exit_of_joint(const Network& network, const JointPoints& points, std::int32_t joint, const Vec3& ray);
+/// Where the ray from a joint's centre leaves its surface: the distance.
+/// @param without  a slot whose pit is left out
+double exit_of_joint(const Network& network, const JointPoints& points, std::int32_t joint,
+                     const Vec3& centre, const Vec3& ray, std::int32_t without = -1);
 
-/// Appends the points round a cell, counter-clockwise seen from outside.
+/// Appends the points round a cell, counter-clockwise seen from outside. The first one is a joint's vertex.
 void append_ring(const Polyhedra& polyhedra, const Refinement& refinement, const JointPoints& points,
                  std::int32_t joint, std::int32_t cell, std::vector<std::uint32_t>& ring);
 

@@ -30,7 +30,7 @@ class PathWalk {
             step(node, bone);
             walked_[bone] = true;
             node = other(bone, node);
-            if (adjacency_.degree(node) != 2) {
+            if (adjacency_.degree(node) != 2 || joint_of_[node] >= 0) {
                 to = arrive(node, bone, 2 * path + 1);
                 step(node, -1);
                 break;
@@ -83,7 +83,7 @@ Network find_network(const Plain& skeleton) {
     for (std::int32_t i = 0; i < nodes; ++i) {
         const std::int32_t degree = adjacent.degree(i);
         if (degree == 0) network.lone.push_back(i);
-        if (degree < 3) continue;
+        if (degree < 3 && !(degree > 0 && skeleton.is_body(i))) continue;
         network.joint_node.push_back(i);
         network.slot_first.push_back(network.slot_first.back() + degree);
     }

@@ -1,9 +1,9 @@
 /// @file network.h
 /// The graph of a skeleton as joints and paths, the two things that the stages work on.
 ///
-/// A joint is a node of three or more bones. A path is a run of bones through nodes of two bones; it ends at
-/// joints and leaves, or closes on itself. Nodes without bones are neither: they are lone. Linear in the
-/// skeleton.
+/// A joint is a node of three or more bones, or one whose form is a body. A path is a run of bones through
+/// nodes of two bones; it ends at joints and leaves, or closes on itself. Nodes without bones are neither:
+/// they are lone. Linear in the skeleton.
 #pragma once
 
 #include <array>

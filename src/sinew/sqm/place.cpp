@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sinew/mesh/limit.h"
+#include "sinew/sqm/features.h"
 #include "sinew/sqm/symmetrise.h"
 
 namespace sinew::sqm {
@@ -49,14 +50,77 @@ class Placer {
         }
     }
 
-    Vec3 on_ring(const Station& ring, double angle) const {
-        const Vec3 ray = std::cos(angle) * ring.x + std::sin(angle) * ring.y;
-        if (ring.shape == RingShape::circle || !options_.ideal) return ring.centre + ring.radius * ray;
+    /// The vertex of a column, at an angle from ring.x, on a ring that stands by itself.
+    Vec3 on_ring(const Station& ring, std::int32_t p, std::int32_t k, double angle) const {
+        const Vec3 y = ring.tangent.cross(ring.x), ray = std::cos(angle) * ring.x + std::sin(angle) * y;
+        if (ring.shape == RingShape::outline) return on_outline(ring, p, k);
+        if (ring.shape == RingShape::pit) return on_pit(ring, p, ellipse(ring, ray));
+        if (ring.shape == RingShape::circle || !options_.ideal)
+            return ring.centre + widened(ring, ellipse(ring, ray));
         const auto cone = [&](std::int32_t other) {
             const Plain& s = d_.skeleton;
-            return ConeFrom(ring.centre, ring.radius, s.position[other], s.radius[other]);
+            return ConeFrom(ring.centre, ring.half.x(), s.position[other], s.radius[other]);
         };
         return ring.centre + std::max(cone(ring.before).exit(ray), cone(ring.after).exit(ray)) * ray;
+    }
+    static Vec3 ellipse(const Station& ring, const Vec3& ray) {
+        if (ring.half.x() == ring.half.y()) return ring.half.x() * ray;
+        const Vec3 form_y = ring.tangent.cross(ring.form_x);
+        return ring.half.x() * ray.dot(ring.form_x) * ring.form_x + ring.half.y() * ray.dot(form_y) * form_y;
+    }
+    /// A tube cut askew at a bend is wider across the bend.
+    static Vec3 widened(const Station& ring, const Vec3& v) {
+        const double by = ring.bend.norm();
+        return by > 0 ? Vec3(v + v.dot(ring.bend) * ring.bend / by) : v;
+    }
+    /// Corners at the path's corner columns, the columns between them evenly along the sides.
+    Vec3 on_outline(const Station& ring, std::int32_t p, std::int32_t k) const {
+        const std::int32_t sides = d_.refinement.path_sides[p], first = d_.stations.corner[p];
+        const Vec3 form_y = ring.tangent.cross(ring.form_x);
+        const auto corner = [&](int c) -> Vec3 {
+            const int turned = (c + ring.corner) % 4;
+            const double x = turned == 0 || turned == 3 ? 1 : -1, y = turned < 2 ? 1 : -1;
+            return x * ring.half.x() * ring.form_x + y * ring.half.y() * form_y;
+        };
+        const auto columns_after_first = [&](std::int32_t column) {
+            return ((column - first) % sides + sides) % sides;
+        };
+        const std::int32_t at = columns_after_first(k);
+        int c = 0;
+        while (c < 3 && columns_after_first(corner_column(first, c + 1, sides)) <= at) ++c;
+        const std::int32_t begin = columns_after_first(corner_column(first, c, sides));
+        const std::int32_t end = c == 3 ? sides : columns_after_first(corner_column(first, c + 1, sides));
+        const double share = static_cast<double>(at - begin) / (end - begin);
+        return ring.centre + widened(ring, (1 - share) * corner(c) + share * corner((c + 1) % 4));
+    }
+
+    /// A vertex on the wall of a dent: over it, on the joint's surface, and from there down an elliptic
+    /// profile.
+    Vec3 on_pit(const Station& ring, std::int32_t p, const Vec3& rim) const {
+        const PathEnd& end = d_.network.path_end[p][ring.far ? 1 : 0];
+        const std::int32_t slot = n_.slot_first[end.joint] + end.slot;
+        const PitShape& pit = d_.points.pits[d_.points.extra[slot]];
+        const Vec3& centre = d_.skeleton.position[n_.joint_node[end.joint]];
+        const double share = ring.share;
+        Vec3 over = pit.middle + share * rim;
+        for (int i = 0; i < 6; ++i) {  // the surface is nearly flat there: this settles fast
+            const Vec3 ray = (over - centre).normalized();
+            const Vec3 hit = centre + exit_of_joint(n_, d_.points, end.joint, centre, ray, slot) * ray;
+            over += (hit - over).dot(pit.z) * pit.z;
+        }
+        const Vec3 floor = over - pit.half.z() * std::sqrt(std::max(0.0, 1 - share * share)) * pit.z;
+        return press_others(end.joint, slot, floor);
+    }
+    /// Dents beside this one take away what is left between them.
+    Vec3 press_others(std::int32_t joint, std::int32_t slot, const Vec3& point) const {
+        const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
+        double distance = (point - centre).norm();
+        if (distance <= 0) return point;
+        const Vec3 ray = (point - centre) / distance;
+        for (std::int32_t other = n_.slot_first[joint]; other < n_.slot_first[joint + 1]; ++other)
+            if (other != slot && d_.points.kind[other] == SlotKind::pit)
+                distance = d_.points.pits[d_.points.extra[other]].press(centre, ray, distance);
+        return centre + distance * ray;
     }
 
     void path(std::int32_t p) {
@@ -72,11 +136,11 @@ class Placer {
                 origin(vertex + k, ring);
                 if (ring.shape == RingShape::follow) continue;
                 const double at = angle[k] + ring.turn + ring.near_share * near[k] + ring.far_share * far[k];
-                set(vertex + k, on_ring(ring, at), ring.node);
+                set(vertex + k, on_ring(ring, p, k, at), ring.node);
             }
         }
-        follow(p);
         poles(p);
+        follow(p);
     }
     void origin(std::uint32_t vertex, const Station& ring) {
         out_.mesh.vertex_node[vertex] = d_.skeleton.source_node[ring.node];
@@ -84,7 +148,8 @@ class Placer {
         out_.mesh.vertex_along[vertex] = ring.along;
     }
 
-    /// Rings between a joint and the first proper one: along great circles, out to the joint's round cones.
+    /// Rings between a joint and the first proper one, or the pole: along great circles, out to the joint's
+    /// surface.
     void follow(std::int32_t p) {
         const Stations& s = d_.stations;
         const std::int32_t sides = d_.refinement.path_sides[p], first = s.first[p], end = s.first[p + 1];
@@ -92,24 +157,24 @@ class Placer {
         for (int side = 0; side < 2; ++side) {
             const PathEnd& e = n_.path_end[p][side];
             if (!e.at_joint() || first == end) continue;
+            const std::int32_t step = side == 0 ? 1 : -1;
             const auto follows = [&](std::int32_t i) {
-                return s.stations[i].shape == RingShape::follow && s.stations[i].far == (side == 1);
+                return i >= first && i < end && s.stations[i].shape == RingShape::follow &&
+                       s.stations[i].far == (side == 1);
             };
             std::int32_t i = side == 0 ? first : end - 1, proper = i;
             if (!follows(i)) continue;
-            while (follows(proper)) proper += side == 0 ? 1 : -1;
-            joint_ring.clear();
-            append_ring(d_.polyhedra, d_.refinement, d_.points, e.joint,
-                        d_.polyhedra.cell_first[e.joint] + e.slot, joint_ring);
-            if (side == 1) std::reverse(joint_ring.begin(), joint_ring.end());
-            const std::int32_t shift = side == 1 ? s.far_shift[p] : 0;
-            const std::uint32_t base = out_.path_vertex[p] + (proper - first) * sides;
-            for (; i != proper; i += side == 0 ? 1 : -1)
-                for (std::int32_t k = 0; k < sides; ++k)
+            while (follows(proper)) proper += step;
+            const bool to_pole = proper < first || proper >= end;
+            joint_ring_of_path(d_, p, side, joint_ring);
+            for (; i != proper; i += step)
+                for (std::int32_t k = 0; k < sides; ++k) {
+                    const std::uint32_t target = to_pole ? out_.path_pole[p][1 - side]
+                                                         : out_.path_vertex[p] + (proper - first) * sides + k;
                     set(out_.path_vertex[p] + (i - first) * sides + k,
-                        between(e.joint, positions_[joint_ring[(k + shift) % sides]], positions_[base + k],
-                                s.stations[i].share),
+                        between(e.joint, positions_[joint_ring[k]], positions_[target], s.stations[i].share),
                         s.stations[i].node);
+                }
         }
     }
     Vec3 between(std::int32_t joint, const Vec3& at_joint, const Vec3& on_ring, double share) const {
@@ -118,9 +183,9 @@ class Placer {
         const double la = a.norm(), lb = b.norm();
         const Vec3 u = a / la, v = b / lb;
         const double angle = std::atan2(u.cross(v).norm(), u.dot(v));
-        if (angle < 1e-6 || angle > 3.1) return at_joint + share * (on_ring - at_joint);
+        if (!(angle > 1e-6 && angle < 3.1)) return at_joint + share * (on_ring - at_joint);
         const Vec3 ray = (std::sin((1 - share) * angle) * u + std::sin(share * angle) * v) / std::sin(angle);
-        return centre + exit_of_joint(n_, d_.points, joint, ray) * ray;
+        return centre + exit_of_joint(n_, d_.points, joint, centre, ray) * ray;
     }
 
     void poles(std::int32_t p) {
@@ -132,9 +197,30 @@ class Placer {
             const std::int32_t other = side == 0 ? nodes[1] : nodes[nodes.size() - 2];
             const Vec3& at = d_.skeleton.position[leaf];
             const Vec3 outward = (at - d_.skeleton.position[other]).normalized();
-            const bool round = d_.skeleton.cap[leaf] == Cap::round;
-            set(pole, round ? Vec3(at + d_.skeleton.radius[leaf] * outward) : at, leaf);
+            set(pole, pole_of(p, side, leaf, at, outward), leaf);
         }
+    }
+    Vec3 pole_of(std::int32_t p, int side, std::int32_t leaf, const Vec3& at, const Vec3& outward) const {
+        const PathEnd& joint = d_.network.path_end[p][1 - side];
+        switch (d_.skeleton.cap[leaf]) {
+            case Cap::round:
+                return at + d_.skeleton.radius[leaf] * outward;
+            case Cap::surface: {
+                if (!joint.at_joint()) return at;
+                const Vec3& centre = d_.skeleton.position[n_.joint_node[joint.joint]];
+                return centre + exit_of_joint(n_, d_.points, joint.joint, centre, outward) * outward;
+            }
+            case Cap::pit: {
+                if (!joint.at_joint()) return at;
+                const std::int32_t slot = n_.slot_first[joint.joint] + joint.slot;
+                const PitShape& pit = d_.points.pits[d_.points.extra[slot]];
+                return press_others(joint.joint, slot, pit.middle - pit.half.z() * pit.z);
+            }
+            case Cap::flat:
+            case Cap::point:
+                break;
+        }
+        return at;
     }
     void capped() {
         std::int32_t j = 0;
@@ -143,18 +229,27 @@ class Placer {
             while (d_.polyhedra.cell_first[j + 1] <= c) ++j;
             const Vec3& ray = d_.polyhedra.sites[c];
             const std::int32_t node = n_.joint_node[j];
+            const Vec3& centre = d_.skeleton.position[node];
             set(out_.capped_pole + static_cast<std::uint32_t>(i),
-                d_.skeleton.position[node] + exit_of_joint(n_, d_.points, j, ray) * ray, node);
+                centre + exit_of_joint(n_, d_.points, j, centre, ray) * ray, node);
         }
     }
+    /// A sphere, an ellipsoid or a box, from the points of a cube.
     void lone() {
         std::uint32_t vertex = out_.lone_vertex;
-        for (const std::int32_t node : n_.lone)
-            for (const auto& p : lone_sphere_points())
-                set(vertex++,
-                    d_.skeleton.position[node] +
-                        d_.skeleton.radius[node] * Vec3(p[0], p[1], p[2]).normalized(),
-                    node);
+        for (const std::int32_t node : n_.lone) {
+            const Form* form = d_.skeleton.form(node);
+            for (const auto& p : lone_sphere_points()) {
+                const Vec3 corner(p[0], p[1], p[2]);
+                Vec3 v = d_.skeleton.radius[node] * corner.normalized();
+                if (form) {
+                    const Vec3 local = form->half.cwiseProduct(
+                        form->kind == Form::Kind::box ? corner : Vec3(corner.normalized()));
+                    v = local.x() * form->x + local.y() * form->y + local.z() * form->z;
+                }
+                set(vertex++, d_.skeleton.position[node] + v, node);
+            }
+        }
     }
 
     const Parts& d_;
@@ -201,6 +296,7 @@ Result<void> place(const Parts& parts, const Images& images, const PlaceOptions&
     Placer placer(parts, options, bridge);
     placer.run();
     std::vector<Vec3> positions = placer.take_positions();
+    add_features(parts, bridge);
     const auto image = vertex_images(parts, images, bridge, positions);
     if (options.limit) {
         auto control = fit_limit(parts, bridge, std::move(positions));

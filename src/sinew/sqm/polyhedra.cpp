@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <array>
 #include <cmath>
 
 namespace sinew::sqm {
@@ -26,6 +27,17 @@ Vec3 middle_of(const Polyhedra& p, const CellArc& arc) {
 }
 bool is_long(const Polyhedra& p, const CellArc& arc) {
     return p.vertices[arc.from].dot(p.vertices[arc.to]) < 0;
+}
+
+/// Normal of the face through which a direction leaves a box: bones of a box joint have its faces for cells.
+Vec3 face_normal(const Form& box, const Vec3& direction) {
+    const std::array<Vec3, 3> axes{box.x, box.y, box.z};
+    int face = 0;
+    for (int k = 1; k < 3; ++k)
+        if (std::abs(direction.dot(axes[k])) / box.half[k] >
+            std::abs(direction.dot(axes[face])) / box.half[face])
+            face = k;
+    return direction.dot(axes[face]) < 0 ? Vec3(-axes[face]) : axes[face];
 }
 
 /// Appends the cells of one joint.
@@ -57,8 +69,12 @@ Polyhedra polyhedra_of(const Plain& skeleton, const Network& network, std::int32
     std::vector<Vec3> directions;
     for (std::int32_t j = begin; j < end; ++j) {
         directions.clear();
-        for (std::int32_t s = 0; s < network.degree(j); ++s)
-            directions.push_back(slot_direction(skeleton, network, j, s));
+        const Form* form = skeleton.form(network.joint_node[j]);
+        for (std::int32_t s = 0; s < network.degree(j); ++s) {
+            const Vec3 direction = slot_direction(skeleton, network, j, s);
+            directions.push_back(form && form->kind == Form::Kind::box ? face_normal(*form, direction)
+                                                                       : direction);
+        }
         find_spherical_cells(directions, cells);
         append(cells, out);
     }

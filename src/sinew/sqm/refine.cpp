@@ -12,6 +12,8 @@ namespace sinew::sqm {
 namespace {
 
 constexpr std::int32_t unknown = 0;
+constexpr double longest_on_ball = 0.9;  // radians of an arc in one piece on a ball
+constexpr int most_tries = 4;
 constexpr std::int32_t hopeless =
     1024;  // vertices round a path: far above what any joint was ever seen to need
 
@@ -81,11 +83,14 @@ Regions find_regions(const Network& n) {
 /// The count problem of one joint in terms of orbits under the symmetries that keep the joint in place.
 class JointProblem {
   public:
-    JointProblem(const Polyhedra& p, const Images& images) : p_(p), images_(images) {}
+    JointProblem(const Plain& skeleton, const Network& network, const Polyhedra& p, const Images& images)
+        : skeleton_(skeleton), network_(network), p_(p), images_(images) {}
 
     /// Sets up the orbits of a joint; everything later refers to it.
     void take(std::int32_t joint) {
         joint_ = joint;
+        const Form* form = skeleton_.form(network_.joint_node[joint]);
+        is_ball_ = form && form->kind == Form::Kind::ball;
         turns_ = 1;  // smallest power of the generator that brings the joint back onto itself
         if (images_.any())
             for (std::int32_t j = images_.joint[joint]; j != joint; j = images_.joint[j]) ++turns_;
@@ -175,7 +180,10 @@ class JointProblem {
         out.a = left;
         out.b = left != right ? right : (arc_share_[o] > 1 ? -1 : left);
         out.length = arc_length(p_, a) / arc_factor_[o];
-        out.least = needs_middle(arc) && arc_factor_[o] == 1 ? 2 : 1;
+        out.least =
+            (needs_middle(arc) || (is_ball_ && arc_length(p_, a) > longest_on_ball)) && arc_factor_[o] == 1
+                ? 2
+                : 1;
     }
 
     /// Arcs with both ends in common must not be one edge each.
@@ -188,10 +196,12 @@ class JointProblem {
         return false;
     }
 
+    const Plain& skeleton_;
+    const Network& network_;
     const Polyhedra& p_;
     const Images& images_;
     std::int32_t joint_ = 0, turns_ = 1;
-    bool fixed_ = false, impossible_ = false;
+    bool fixed_ = false, impossible_ = false, is_ball_ = false;
     CountProblem problem_;
     std::vector<std::int32_t> cell_orbit_, arc_orbit_, cell_share_, arc_share_, arc_factor_;
 };
@@ -199,8 +209,9 @@ class JointProblem {
 /// Carries counts through the network.
 class Refiner {
   public:
-    Refiner(const Network& n, const Polyhedra& p, const Images& images, const RefineOptions& options)
-        : n_(n), p_(p), images_(images), options_(options), regions_(find_regions(n)) {
+    Refiner(const Plain& skeleton, const Network& n, const Polyhedra& p, const Images& images,
+            const RefineOptions& options)
+        : skeleton_(skeleton), n_(n), p_(p), images_(images), options_(options), regions_(find_regions(n)) {
         out_.pieces.assign(p.arcs.size(), 0);
         out_.path_sides.assign(n.path_count(), unknown);
         if (options.sides > 0) std::fill(regions_.core.begin(), regions_.core.end(), 1);
@@ -215,7 +226,7 @@ class Refiner {
         }
         if (!solve_trees()) return no_solution();
         for (std::int32_t p = 0; p < n_.path_count(); ++p)
-            if (out_.path_sides[p] == unknown) out_.path_sides[p] = lone_path_sides();
+            if (out_.path_sides[p] == unknown) out_.path_sides[p] = round_up(lone_path_sides(), step_[p]);
         return std::move(out_);
     }
 
@@ -231,15 +242,36 @@ class Refiner {
     /// asks for.
     void find_least() {
         least_.assign(n_.path_count(), options_.sides > 0 ? std::max(4, options_.sides) : 4);
-        JointProblem joint(p_, images_);
+        corners_.resize(n_.path_count());
+        for (std::int32_t p = 0; p < n_.path_count(); ++p)
+            corners_[p] = !skeleton_.forms.empty() && has_corners(p);
+        step_.assign(n_.path_count(), 1);
+        for (std::int32_t p = 0; p < n_.path_count(); ++p)
+            if (corners_[p]) step_[p] = 4;
+        JointProblem joint(skeleton_, n_, p_, images_);
         for (std::int32_t j = 0; j < n_.joint_count(); ++j) {
             joint.take(j);
             for_slots(n_, j, [&](std::int32_t slot, std::int32_t path) {
                 const std::int32_t c = joint.first_cell() + slot, step = joint.step(c);
                 least_[path] = std::max(least_[path], joint.least(c));
-                least_[path] = (least_[path] + step - 1) / step * step;
+                step_[path] = std::lcm(step_[path], step);
             });
         }
+        for (std::int32_t p = 0; p < n_.path_count(); ++p) least_[p] = round_up(least_[p], step_[p]);
+    }
+    static std::int32_t round_up(std::int32_t count, std::int32_t step) {
+        return (count + step - 1) / step * step;
+    }
+
+    /// Whether rings of the path have four corners.
+    bool has_corners(std::int32_t path) const {
+        for (const std::int32_t node : n_.nodes(path)) {
+            const Form* form = skeleton_.form(node);
+            if (!form) continue;
+            if (form->kind == Form::Kind::box) return true;
+            if (form->kind == Form::Kind::ring && form->section == Section::rectangular) return true;
+        }
+        return false;
     }
 
     void mark_core_joints() {
@@ -251,17 +283,28 @@ class Refiner {
     }
 
     /// Asks a joint for the counts of its paths: those that are known exactly, the core's if there is one,
-    /// the rest freely.
-    void ask(JointProblem& joint, std::int32_t j, std::int32_t core_count) const {
+    /// the rest freely. Paths with corners ask for `more` than their least, exactly, until no such number
+    /// will do.
+    void ask(JointProblem& joint, std::int32_t j, std::int32_t core_count, int more) const {
         joint.ask_nothing_yet();
         for_slots(n_, j, [&](std::int32_t slot, std::int32_t path) {
             const std::int32_t c = joint.first_cell() + slot;
             const std::int32_t known = regions_.core[path] ? core_count : out_.path_sides[path];
-            joint.ask(c, known != unknown ? known : least_[path], known != unknown,
+            const bool cornered = corners_[path] && more < most_tries;
+            const std::int32_t wanted = least_[path] + (cornered ? more * step_[path] : 0);
+            joint.ask(c, known != unknown ? known : wanted, known != unknown || cornered,
                       !between_joints(n_, path));
         });
         for (std::int32_t c = joint.first_cell() + n_.degree(j); c < p_.cell_first[j + 1]; ++c)
             joint.ask(c, 3, false, true);
+    }
+    bool solve_joint(JointProblem& joint, std::int32_t j, std::int32_t core_count) const {
+        for (int more = 0; more <= most_tries; ++more) {
+            ask(joint, j, core_count, more);
+            if (joint.solve()) return true;
+            if (skeleton_.forms.empty()) return false;  // nothing was asked for that could be given up
+        }
+        return false;
     }
 
     /// The least count from `count` on with which every core joint of every component can be solved.
@@ -270,8 +313,11 @@ class Refiner {
         for (std::int32_t p = 0; p < n_.path_count(); ++p)
             if (const std::int32_t c = component_of(p); regions_.core[p] && c >= 0)
                 count[c] = std::max(count[c], least_[p]);
-        const std::int32_t step = options_.sides > 0 ? 1 : 2;
-        for (std::int32_t& c : count) c = (c + step - 1) / step * step;
+        std::vector<std::int32_t> step(regions_.components, options_.sides > 0 ? 1 : 2);
+        for (std::int32_t p = 0; p < n_.path_count(); ++p)
+            if (const std::int32_t c = component_of(p); regions_.core[p] && c >= 0)
+                step[c] = std::lcm(step[c], step_[p]);
+        for (std::int32_t c = 0; c < regions_.components; ++c) count[c] = round_up(count[c], step[c]);
 
         std::vector<std::int32_t> joints;
         for (std::int32_t j = 0; j < n_.joint_count(); ++j)
@@ -282,9 +328,9 @@ class Refiner {
         while (!pending.empty()) {
             if (progress.cancelled()) return false;
             tbb::parallel_for(std::size_t{0}, pending.size(), [&](std::size_t i) {
-                JointProblem joint(p_, images_);
-                const std::int32_t j = joints[pending[i]];
-                met[pending[i]] = least_met(joint, j, count[regions_.component[j]], step);
+                JointProblem joint(skeleton_, n_, p_, images_);
+                const std::int32_t j = joints[pending[i]], c = regions_.component[j];
+                met[pending[i]] = least_met(joint, j, count[c], step[c]);
             });
             for (std::size_t i = 0; i < joints.size(); ++i) {
                 if (met[i] >= hopeless) return false;
@@ -311,8 +357,7 @@ class Refiner {
     std::int32_t least_met(JointProblem& joint, std::int32_t j, std::int32_t count, std::int32_t step) {
         joint.take(j);
         for (; count < hopeless; count += step) {
-            ask(joint, j, count);
-            if (!joint.solve()) continue;
+            if (!solve_joint(joint, j, count)) continue;
             write(joint, j);
             break;
         }
@@ -323,7 +368,7 @@ class Refiner {
     bool solve_trees() {
         std::vector<std::uint8_t> done(core_joint_);
         std::vector<std::int32_t> queue;
-        JointProblem joint(p_, images_);
+        JointProblem joint(skeleton_, n_, p_, images_);
         auto settle = [&](std::int32_t j, bool solved) {
             for (std::int32_t k = j;;) {  // the joint and its images
                 done[k] = 1;
@@ -339,8 +384,7 @@ class Refiner {
         };
         auto solve = [&](std::int32_t j) {
             joint.take(j);
-            ask(joint, j, unknown);
-            if (!joint.solve()) return false;
+            if (!solve_joint(joint, j, unknown)) return false;
             write(joint, j);
             settle(j, true);
             return true;
@@ -393,21 +437,23 @@ class Refiner {
         }
     }
 
+    const Plain& skeleton_;
     const Network& n_;
     const Polyhedra& p_;
     const Images& images_;
     RefineOptions options_;
     Regions regions_;
-    std::vector<std::int32_t> least_;
+    std::vector<std::int32_t> least_, step_;
+    std::vector<std::uint8_t> corners_;
     std::vector<std::uint8_t> core_joint_;
     Refinement out_;
 };
 
 }  // namespace
 
-Result<Refinement> refine(const Network& network, const Polyhedra& polyhedra, const Images& images,
-                          const RefineOptions& options, const Progress& progress) {
-    return Refiner(network, polyhedra, images, options).run(progress);
+Result<Refinement> refine(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
+                          const Images& images, const RefineOptions& options, const Progress& progress) {
+    return Refiner(skeleton, network, polyhedra, images, options).run(progress);
 }
 
 }  // namespace sinew::sqm

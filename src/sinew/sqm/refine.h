@@ -30,7 +30,8 @@ struct Refinement {
     std::vector<std::int32_t> path_sides;  ///< path -> vertices round it, at least 4
 };
 
-Result<Refinement> refine(const Network& network, const Polyhedra& polyhedra, const Images& images,
-                          const RefineOptions& options = {}, const Progress& progress = {});
+Result<Refinement> refine(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
+                          const Images& images, const RefineOptions& options = {},
+                          const Progress& progress = {});
 
 }  // namespace sinew::sqm

@@ -36,10 +36,10 @@ Result<QuadMesh> make_mesh(const Plain& skeleton, const SkinOptions& options, co
 
     progress(0.3, "refine");
     Images images = find_images(skeleton, network, *polyhedra);
-    auto refinement = refine(network, *polyhedra, images, {.sides = options.sides}, progress);
+    auto refinement = refine(skeleton, network, *polyhedra, images, {.sides = options.sides}, progress);
     if (!refinement && images.any() && !progress.cancelled()) {
         images = {};  // a closed mesh matters more than a symmetric one
-        refinement = refine(network, *polyhedra, images, {.sides = options.sides}, progress);
+        refinement = refine(skeleton, network, *polyhedra, images, {.sides = options.sides}, progress);
     }
     if (!refinement) return fail(refinement.error());
     const JointPoints points = make_joint_points(skeleton, network, *polyhedra, *refinement);
@@ -73,9 +73,8 @@ Result<Skin> skin(const Document& document, const SkinOptions& options, const Pr
     result.components = counts.components;
     result.cycles = counts.cycles;
 
-    const Result<Plain> plain = extend(document, std::move(graph));
-    if (!plain) return fail(plain.error());
-    auto mesh = make_mesh(*plain, options, progress, result);
+    const Plain plain = extend(document, graph, result.warnings);
+    auto mesh = make_mesh(plain, options, progress, result);
     if (!mesh) return fail(mesh.error());
     result.mesh = std::move(*mesh);
     progress(1.0, "done");

@@ -1,5 +1,6 @@
 /// @file stations.h
-/// The rings of one path: where they stand, how they are turned, and what their vertices lie on.
+/// The rings of all paths: where they stand, how they are turned, what their vertices lie on, and what must
+/// stay true of them.
 #pragma once
 
 #include <cstdint>
@@ -10,26 +11,38 @@
 namespace sinew::sqm {
 
 enum class RingShape : std::uint8_t {
-    circle,  ///< of Station::radius about the centre
-    node,    ///< where the plane of the ring cuts the round cones of the two bones that meet at the node
-    follow,  ///< between the joint's own ring and the next one, on the joint's round cones
+    circle,   ///< an ellipse of half extents Station::half in the ring's plane
+    node,     ///< where the plane of the ring cuts the round cones of the two bones that meet at the node
+    outline,  ///< a rectangle of half extents Station::half, corner by corner at the path's corner columns
+    follow,   ///< between the joint's own ring and the next one, on the joint's surface
+    pit,      ///< on the wall of a dent, at Station::share of its width
 };
 
-/// A ring of vertices. Vertex k is seen from the centre at the angle Path::angle[k] + turn, from x towards y.
+/// A ring of vertices. Vertex k is seen from the centre at the angle Stations::angle[k] + turn, from x
+/// towards y.
 struct Station {
     Vec3 centre = Vec3::Zero();
     Vec3 tangent = Vec3::UnitZ();  ///< unit normal of the ring's plane, along the path
-    Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
-    double radius = 0;
-    double turn = 0;                       ///< radians; carries the twist between both ends
-    double near_share = 0, far_share = 0;  ///< how much of the uneven spacing of a joint's ring is left here
-    double share = 0;                      ///< follow: how far from the joint's ring to the next, in (0, 1)
-    std::int32_t before = -1, node = -1,
-                 after = -1;  ///< nodes: the one this belongs to and, for `node`, its neighbours
-    std::int32_t bone = -1;   ///< the bone it stands on
-    float along = 0;          ///< parameter on it, 0 at the bone's first node
+    Vec3 x = Vec3::UnitX();        ///< unit, in the plane; carried along the path with the least turning
+    Vec3 form_x = Vec3::UnitX();   ///< unit: the axis of half.x()
+    Vec2 half = Vec2::Ones();      ///< half extents; equal ones are a radius
+    Vec3 bend =
+        Vec3::Zero();  ///< in the plane: outlines are this much wider along it, since a bend cuts them askew
+    double turn = 0;   ///< radians; carries the twist between both ends
+    float near_share = 0, far_share = 0;  ///< how much of the uneven spacing of a joint's ring is left here
+    float share = 0;  ///< follow: how far from the joint's ring to the next; pit: width, in (0, 1]
+    float along = 0;  ///< parameter on the bone, 0 at the bone's first node
+    std::int32_t before = -1, node = -1, after = -1;  ///< nodes: the one this belongs to and its neighbours
+    std::int32_t bone = -1;                           ///< the bone it stands on
+    float crease = 0;                                 ///< sharpness of the ring's edges
+    float lines = 0;  ///< sharpness of the edges at the corner columns, from here to the next ring
     RingShape shape = RingShape::circle;
-    bool far = false;  ///< follow: the joint is the one at the path's end
+    std::uint8_t corner =
+        0;               ///< outline: which quarter turn of the outline is at the path's first corner column
+    bool far = false;    ///< follow, pit: the joint is the one at the path's end
+    bool round = false;  ///< subdivision keeps the ring on its circle
+    bool corners = false;               ///< its corner vertices never move
+    BoneKind to_next = BoneKind::tube;  ///< side, plate: the faces from here to the next ring are flat
 };
 
 /// Rings of many paths, in flat arrays.
@@ -42,9 +55,15 @@ struct Stations {
     std::vector<double> near_uneven, far_uneven;  ///< what the joints' rings add to them; 0 at leaves
     std::vector<std::int32_t>
         far_shift;  ///< path -> column k ends in vertex k + shift of the far ring, in the path's sense
+    std::vector<std::int32_t> corner;  ///< path -> its first corner column; -1 if it has no corners
 };
 
 Stations make_stations(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
                        const Refinement& refinement, const JointPoints& points);
+
+/// Column that carries corner 0, 1, 2 or 3 of a path of `sides` columns.
+inline std::int32_t corner_column(std::int32_t first_corner, int corner, std::int32_t sides) {
+    return (first_corner + (corner * sides + 2) / 4) % sides;
+}
 
 }  // namespace sinew::sqm

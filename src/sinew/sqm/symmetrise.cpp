@@ -82,14 +82,8 @@ class VertexImages {
     }
 
     std::vector<std::uint32_t> joint_ring(std::int32_t p, int end) const {
-        const PathEnd& e = n_.path_end[p][end];
         std::vector<std::uint32_t> ring;
-        append_ring(d_.polyhedra, d_.refinement, d_.points, e.joint,
-                    d_.polyhedra.cell_first[e.joint] + e.slot, ring);
-        if (end == 1) {
-            std::reverse(ring.begin(), ring.end());
-            std::rotate(ring.begin(), ring.begin() + d_.stations.far_shift[p], ring.end());
-        }
+        joint_ring_of_path(d_, p, end, ring);
         return ring;
     }
     /// Column by column, the joint's vertex that a column ends in must go to the one that the column's image

@@ -1,4 +1,4 @@
-/// @file ideal.h
+/// @file round_cone.h
 /// The ideal surface: the union of round cones, the hulls of the two balls at the ends of each bone.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 #include "sinew/base/vec.h"
 
-namespace sinew::sqm {
+namespace sinew {
 
 /// A round cone as seen from the ball at its near end, whose centre is the origin of all rays.
 struct ConeFrom {
@@ -65,4 +65,4 @@ struct ConeFrom {
     bool nested_ = true;
 };
 
-}  // namespace sinew::sqm
+}  // namespace sinew

@@ -1,0 +1,24 @@
+/// @file frames.h
+/// The local frame of a node, as the format defines it: a file means one shape.
+#pragma once
+
+#include "sinew/base/vec.h"
+#include "sinew/skeleton/document.h"
+
+namespace sinew {
+
+struct Frame {
+    Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+};
+
+/// z as given (unit); x the world's X, or Y where |z.X| > 0.9, made orthogonal to z; y = z x x; then `roll`
+/// degrees about z.
+Frame frame_along(const Vec3& z, double roll);
+
+/// The world's axes, turned by the node's rotation if it has one, then by its roll about z.
+Frame frame_of_body(const Node& node);
+
+/// Turns the vector (right angles to z from) into the one at right angles to z `to`, with the least rotation.
+Frame turn_frame(const Frame& frame, const Vec3& to);
+
+}  // namespace sinew

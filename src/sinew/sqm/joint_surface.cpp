@@ -1,0 +1,174 @@
+#include "sinew/sqm/joint_surface.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sinew/extend/bodies.h"
+#include "sinew/extend/frames.h"
+
+namespace sinew::sqm {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// Node beyond a slot's first bone.
+std::int32_t next_node(const Network& n, std::int32_t slot) {
+    const std::int32_t path_and_end = n.slot_path[slot];
+    const auto nodes = n.nodes(path_and_end / 2);
+    return path_and_end % 2 == 0 ? nodes[1] : nodes[nodes.size() - 2];
+}
+bool straight_to_joint(const Network& n, std::int32_t slot) {
+    const std::int32_t path = n.slot_path[slot] / 2;
+    return n.nodes(path).size() == 2 && n.path_end[path][0].at_joint() && n.path_end[path][1].at_joint();
+}
+
+SlotKind kind_of(const Plain& s, const Network& n, std::int32_t node, std::int32_t slot) {
+    const std::int32_t next = next_node(n, slot);
+    if (n.nodes(n.slot_path[slot] / 2).size() == 2) {
+        if (s.cap[next] == Cap::surface) return SlotKind::surface;
+        if (s.cap[next] == Cap::pit) return SlotKind::pit;
+    }
+    const auto shaped = [&](std::int32_t i) {
+        const Form* f = s.form(i);
+        return f && f->kind != Form::Kind::ball &&
+               (f->section == Section::rectangular || f->half.x() != f->half.y());
+    };
+    return shaped(node) || (shaped(next) && !s.is_body(next)) ? SlotKind::beam : SlotKind::cone;
+}
+
+BeamFrom beam_of(const Plain& s, std::int32_t node, std::int32_t next, const ConeFrom& cone) {
+    const Form *at = s.form(node), *beyond = s.form(next);
+    const auto outline = [&](const Form* f, double radius) {
+        return f && f->kind != Form::Kind::ball ? Vec2(f->half.x(), f->half.y()) : Vec2(radius, radius);
+    };
+    const Form* leads = beyond && !s.is_body(next) ? beyond : at;  // whose outline and turn the beam has
+    const Vec3 z = leads->z.dot(cone.axis) < 0 ? Vec3(-leads->z) : leads->z;
+    const Frame frame = turn_frame({leads->x, z.cross(leads->x), z}, cone.axis);
+    BeamFrom beam{frame.x,
+                  frame.y,
+                  frame.z,
+                  cone.length,
+                  outline(at, s.radius[node]),
+                  outline(beyond, s.radius[next]),
+                  leads->section};
+    if (at && leads != at && std::abs(at->x.dot(frame.y)) > std::abs(at->x.dot(frame.x)))
+        std::swap(beam.near.x(), beam.near.y());
+    return beam;
+}
+
+PitShape pit_of(const Plain& s, const Network& n, const JointPoints& points, std::int32_t joint,
+                std::int32_t leaf) {
+    const Vec3& centre = s.position[n.joint_node[joint]];
+    const Form& form = *s.form(leaf);
+    const Vec3 z = (s.position[leaf] - centre).normalized();
+    const Frame frame = turn_frame({form.x, form.y, form.z.dot(z) < 0 ? Vec3(-form.z) : form.z}, z);
+    const double surface = exit_of_joint(n, points, joint, centre, z);  // no pit is known yet
+    return {centre + surface * z,
+            frame.x,
+            z.cross(frame.x),
+            z,
+            {form.half.x(), form.half.y(), s.pit_depth[leaf]}};
+}
+
+}  // namespace
+
+double BeamFrom::exit(const Vec3& ray) const {
+    const double p = std::abs(ray.dot(x)), q = std::abs(ray.dot(y)), h = ray.dot(z);
+    if (h <= 0) {  // behind: a cap as deep as the outline is narrow
+        const double depth = near.minCoeff();
+        const Vec3 local(p / near.x(), q / near.y(), -h / depth);
+        return section == Section::rectangular ? 1 / std::max({local.x(), local.y(), local.z()})
+                                               : 1 / local.norm();
+    }
+    // The outline at height t h is near + (far - near) t h / length.
+    const auto side = [&](double lateral, double from, double to) {
+        const double closing = lateral - h * (to - from) / length;
+        return closing > 0 ? from / closing : std::numeric_limits<double>::infinity();
+    };
+    const double end = length / h;
+    if (section == Section::rectangular)
+        return std::min({end, side(p, near.x(), far.x()), side(q, near.y(), far.y())});
+    double low = 0, high = end;
+    for (int i = 0; i < 40; ++i) {
+        const double t = (low + high) / 2, share = t * h / length;
+        const Vec2 half = near + share * (far - near);
+        (std::hypot(p * t / half.x(), q * t / half.y()) < 1 ? low : high) = t;
+    }
+    return low;
+}
+
+double PitShape::press(const Vec3& centre, const Vec3& ray, double distance) const {
+    const auto local = [&](const Vec3& v) {
+        return Vec3(v.dot(x) / half.x(), v.dot(y) / half.y(), v.dot(z) / half.z());
+    };
+    const Vec3 o = local(centre - middle), d = local(ray);
+    if ((o + distance * d).squaredNorm() >= 1) return distance;
+    const double a = d.squaredNorm(), b = o.dot(d), c = o.squaredNorm() - 1, root = b * b - a * c;
+    const double enters = root > 0 ? (-b - std::sqrt(root)) / a : distance;
+    return std::max(enters, 0.02 * distance);
+}
+
+double exit_of_joint(const Network& network, const JointPoints& points, std::int32_t joint,
+                     const Vec3& centre, const Vec3& ray, std::int32_t without) {
+    const Form* body = points.body[joint];
+    const bool solid = body && body->kind != Form::Kind::blend;
+    double distance = !solid                          ? 0
+                      : body->kind == Form::Kind::box ? exit_of_box(*body, ray)
+                                                      : exit_of_ellipsoid(*body, ray);
+    for (std::int32_t slot = network.slot_first[joint]; !solid && slot < network.slot_first[joint + 1];
+         ++slot) {
+        if (points.kind[slot] == SlotKind::cone) distance = std::max(distance, points.cone[slot].exit(ray));
+        if (points.kind[slot] == SlotKind::beam)
+            distance = std::max(distance, points.beams[points.extra[slot]].exit(ray));
+        if (distance == 0) distance = points.cone[slot].near;  // only pits and bare surface: the ball itself
+    }
+    for (std::int32_t slot = network.slot_first[joint]; slot < network.slot_first[joint + 1]; ++slot)
+        if (points.kind[slot] == SlotKind::pit && points.extra[slot] >= 0 && slot != without)
+            distance = points.pits[points.extra[slot]].press(centre, ray, distance);
+    return distance;
+}
+
+void find_joint_surfaces(const Plain& s, const Network& n, JointPoints& points) {
+    const std::size_t slots = n.slot_path.size();
+    points.cone.resize(slots);
+    points.kind.assign(slots, SlotKind::cone);
+    points.limit.assign(slots, unlimited);
+    points.extra.assign(slots, -1);
+    points.body.resize(n.joint_count());
+    tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n.joint_count(), 64), [&](const auto& range) {
+        for (std::int32_t j = range.begin(); j < range.end(); ++j) {
+            const std::int32_t node = n.joint_node[j];
+            points.body[j] = s.form(node);
+            for (std::int32_t slot = n.slot_first[j]; slot < n.slot_first[j + 1]; ++slot) {
+                const std::int32_t next = next_node(n, slot);
+                const ConeFrom& cone =
+                    points.cone[slot] = {s.position[node], s.radius[node], s.position[next], s.radius[next]};
+                if (straight_to_joint(n, slot))
+                    points.limit[slot] = 0.9 * cone.length * cone.near / (cone.near + cone.far);
+                if (!s.forms.empty()) points.kind[slot] = kind_of(s, n, node, slot);
+            }
+        }
+    });
+    if (s.forms.empty()) return;
+    for (std::int32_t j = 0; j < n.joint_count(); ++j) {
+        const std::int32_t node = n.joint_node[j];
+        std::vector<std::pair<std::int32_t, PitShape>> pits;
+        for (std::int32_t slot = n.slot_first[j]; slot < n.slot_first[j + 1]; ++slot)
+            if (points.kind[slot] == SlotKind::beam) {
+                points.extra[slot] = static_cast<std::int32_t>(points.beams.size());
+                points.beams.push_back(beam_of(s, node, next_node(n, slot), points.cone[slot]));
+            }
+        for (std::int32_t slot = n.slot_first[j]; slot < n.slot_first[j + 1]; ++slot)
+            if (points.kind[slot] == SlotKind::pit)
+                pits.emplace_back(slot, pit_of(s, n, points, j, next_node(n, slot)));
+        for (const auto& [slot, pit] : pits) {
+            points.extra[slot] = static_cast<std::int32_t>(points.pits.size());
+            points.pits.push_back(pit);
+        }
+    }
+}
+
+}  // namespace sinew::sqm

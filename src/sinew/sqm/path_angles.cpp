@@ -1,0 +1,263 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sinew/sqm/path_frame.h"
+#include "sinew/sqm/path_work.h"
+
+namespace sinew::sqm {
+namespace {
+
+class AngleFinder {
+  public:
+    explicit AngleFinder(PathWork& work) : w_(work), step_(2 * M_PI / work.sides) {}
+
+    void run() {
+        turn_frames();
+        choose_phase();
+        turn_to_corners();
+        reach_far_end();
+        spread_turns();
+        write();
+    }
+
+  private:
+    const Station& first() const { return w_.rings.front(); }
+
+    /// Frames from ring to ring; those of the joints at both ends are kept beside.
+    void turn_frames() {
+        const bool none = w_.rings.empty();
+        near_tangent_ = w_.near.any() ? w_.p.sites[w_.near.cell] : none ? w_.direction(0) : first().tangent;
+        far_tangent_ = w_.far.any() ? Vec3(-w_.p.sites[w_.far.cell])
+                       : w_.closed  ? first().tangent
+                       : none       ? w_.direction(w_.bone_count() - 1)
+                                    : w_.rings.back().tangent;
+        Vec3 at = w_.closed ? first().centre : w_.position(0), tangent = near_tangent_;
+        Vec3 x = near_x_ = frame_x(near_tangent_);
+        distance_.clear();
+        length_ = 0;
+        for (Station& ring : w_.rings) {
+            x = ring.x = carry_frame(x, at, tangent, ring.centre, ring.tangent);
+            length_ += (ring.centre - at).norm();
+            distance_.push_back(length_);
+            at = ring.centre;
+            tangent = ring.tangent;
+        }
+        const Vec3& end = w_.closed ? first().centre : w_.position(w_.count() - 1);
+        far_x_ = carry_frame(x, at, tangent, end, far_tangent_);
+        length_ += (end - at).norm();
+    }
+
+    void joint_angles(const JointSide& side, const Vec3& tangent, const Vec3& x,
+                      std::vector<double>& angles) const {
+        angles.clear();
+        const Vec3 y = tangent.cross(x);
+        for (const std::uint32_t i : side.ring)
+            angles.push_back(angle_round(w_.points.position[i] - side.centre, x, y));
+        unwrap(angles);
+    }
+    bool is_box(const JointSide& side) const {
+        const Form* body = side.any() ? w_.points.body[side.joint] : nullptr;
+        return body && body->kind == Form::Kind::box;
+    }
+    /// Angle of the outline's first corner in the frame that was carried along.
+    double corner_angle(const Station& ring) const {
+        return angle_round(ring.form_x, ring.x, ring.tangent.cross(ring.x)) + M_PI / 4;
+    }
+
+    /// Where column 0 stands: as the near joint's ring has it; else by the first outline's corners; else by
+    /// the world's axes at the middle, so that both ends are alike.
+    void choose_phase() {
+        corner_ = -1;
+        phase_ = 0;
+        if (w_.near.any()) {
+            joint_angles(w_.near, near_tangent_, near_x_, near_angles_);
+            phase_ = even_phase(near_angles_);
+            if (is_box(w_.near)) corner_ = 0;
+            return;
+        }
+        for (const Station& ring : w_.rings)
+            if (ring.shape == RingShape::outline) {
+                phase_ = corner_angle(ring);
+                corner_ = 0;
+                return;
+            }
+        if (w_.rings.empty()) return;
+        const Station& middle = w_.rings[w_.rings.size() / 2];
+        phase_ = angle_round(frame_x(middle.tangent), middle.x, middle.tangent.cross(middle.x));
+    }
+
+    double column_angle(std::int32_t column) const { return phase_ + step_ * column; }
+    static double nearest_turn(double wanted, double near, double period) {
+        return wanted + period * std::round((near - wanted) / period);
+    }
+
+    /// Outlines are anchors: their corners stand at the corner columns, whichever quarter turn is nearest.
+    void turn_to_corners() {
+        anchors_.assign(1, {0, 0});
+        for (std::size_t i = 0; i < w_.rings.size(); ++i) {
+            Station& ring = w_.rings[i];
+            if (ring.shape != RingShape::outline) continue;
+            const double wanted = corner_angle(ring), turn = anchors_.back().second;
+            if (corner_ < 0) {
+                const auto column = std::lround((wanted - phase_ - turn) / step_);
+                corner_ = static_cast<std::int32_t>(((column % w_.sides) + w_.sides) % w_.sides);
+            }
+            const double at = column_angle(corner_), nearest = nearest_turn(wanted - at, turn, M_PI / 2);
+            const auto quarter = std::lround((at + nearest - wanted) / (M_PI / 2));
+            ring.corner = static_cast<std::uint8_t>(((quarter % 4) + 4) % 4);
+            anchors_.emplace_back(distance_[i], nearest);
+        }
+    }
+
+    /// The cyclic shift with the least twist to the far joint's ring, or to the first ring of a closed path.
+    void reach_far_end() {
+        shift_ = 0;
+        if (!w_.far.any() && !w_.closed) return;
+        const double turn = anchors_.back().second;
+        if (w_.closed) {  // the first ring again, as seen from the frame that was carried round
+            far_phase_ = phase_ - angle_round(far_x_, first().x, first().tangent.cross(first().x));
+            const double period = corner_ >= 0 && w_.sides % 4 == 0 ? M_PI / 2 : step_;
+            const double reached = nearest_turn(far_phase_ - phase_, turn, period);
+            set_shift(reached);
+        } else {
+            joint_angles(w_.far, far_tangent_, far_x_, far_angles_);
+            far_phase_ = even_phase(far_angles_);
+            double reached = nearest_turn(far_phase_ - phase_, turn, step_);
+            if (is_box(w_.far) && corner_ >= 0) reached = turn_to_box_corner(turn);
+            set_shift(reached);
+        }
+    }
+    void set_shift(double reached) {
+        const auto shift = std::lround((phase_ + reached - far_phase_) / step_);
+        shift_ = static_cast<std::int32_t>(((shift % w_.sides) + w_.sides) % w_.sides);
+        anchors_.emplace_back(length_, reached);
+    }
+    double turn_to_box_corner(double turn) const {
+        double best = 1e300;
+        const auto first_point = w_.points.first[w_.far.joint];
+        const auto corners =
+            static_cast<std::uint32_t>(w_.p.vertex_first[w_.far.joint + 1] - w_.p.vertex_first[w_.far.joint]);
+        for (std::int32_t j = 0; j < w_.sides; ++j) {
+            if (w_.far.ring[j] - first_point >= corners) continue;
+            const double reached = nearest_turn(far_phase_ + step_ * (j - corner_) - phase_, turn, 2 * M_PI);
+            if (std::abs(reached - turn) < std::abs(best - turn)) best = reached;
+        }
+        return best;
+    }
+
+    /// What twist there is, is spread evenly between the anchors.
+    void spread_turns() {
+        std::size_t next = 1;
+        for (std::size_t i = 0; i < w_.rings.size(); ++i) {
+            while (next < anchors_.size() && anchors_[next].first < distance_[i]) ++next;
+            if (next == anchors_.size()) {
+                w_.rings[i].turn = anchors_.back().second;
+                continue;
+            }
+            const auto [d0, t0] = anchors_[next - 1];
+            const auto [d1, t1] = anchors_[next];
+            w_.rings[i].turn = d1 > d0 ? t0 + (t1 - t0) * (distance_[i] - d0) / (d1 - d0) : t1;
+        }
+        constexpr float left[] = {0.45f, 0.15f};  // of the joint's spacing, on the rings next to it
+        for (std::size_t i = 0; i < std::min<std::size_t>(2, w_.rings.size()); ++i) {
+            if (w_.near.any()) w_.rings[i].near_share = left[i];
+            if (w_.far.any()) w_.rings[w_.rings.size() - 1 - i].far_share = left[i];
+        }
+    }
+
+    void write() {
+        Stations& out = w_.out;
+        out.far_shift.push_back(shift_);
+        out.corner.push_back(corner_);
+        for (std::int32_t k = 0; k < w_.sides; ++k) {
+            out.angle.push_back(column_angle(k));
+            out.near_uneven.push_back(w_.near.any() ? near_angles_[k] - column_angle(k) : 0);
+            const std::int32_t j = (k + shift_) % w_.sides;
+            out.far_uneven.push_back(w_.far.any() ? far_angles_[j] - (far_phase_ + step_ * j) : 0);
+        }
+    }
+
+    PathWork& w_;
+    double step_, phase_ = 0, far_phase_ = 0, length_ = 0;
+    std::int32_t corner_ = -1, shift_ = 0;
+    Vec3 near_tangent_, far_tangent_, near_x_, far_x_;
+    std::vector<double> distance_, near_angles_, far_angles_;
+    std::vector<std::pair<double, double>> anchors_;  // distance along the path, turn there
+};
+
+/// Rings that follow the joint's surface to the first proper ring.
+class Follower {
+  public:
+    explicit Follower(PathWork& work) : w_(work) {}
+
+    void run() {
+        if (w_.far.any()) insert(w_.far, true);
+        if (w_.near.any()) insert(w_.near, false);
+    }
+
+  private:
+    /// How many rings the worst column wants; its target is the first proper ring, or the pole of a bare
+    /// surface.
+    int wanted(const JointSide& side, bool is_far) const {
+        const bool pole = w_.rings.empty();
+        if (pole && w_.s.cap[w_.node(is_far ? 0 : w_.count() - 1)] != Cap::surface) return 0;
+        const Form* body = w_.points.body[side.joint];
+        if (pole && body && body->kind == Form::Kind::box) return 0;
+        const double r = w_.s.radius[w_.n.joint_node[side.joint]];
+        const bool ball = body && body->kind == Form::Kind::ball;
+        const std::size_t angles = w_.out.angle.size() - w_.sides;
+        double worst = 0;
+        for (std::int32_t k = 0; k < w_.sides; ++k) {
+            const std::int32_t j = is_far ? (k + w_.out.far_shift.back()) % w_.sides : k;
+            const Vec3 target =
+                pole ? w_.position(is_far ? 0 : w_.count() - 1) : on_ring(is_far, w_.out.angle[angles + k]);
+            const Vec3 middle = 0.5 * (w_.points.position[side.ring[j]] + target) - side.centre;
+            const double distance = middle.norm();
+            if (distance > 0)
+                worst = std::max(
+                    worst,
+                    exit_of_joint(w_.n, w_.points, side.joint, side.centre, middle / distance) - distance);
+        }
+        return worst > 0.45 * r ? 2 : worst > (ball ? 0.03 : 0.18) * r ? 1 : 0;
+    }
+    Vec3 on_ring(bool is_far, double angle) const {
+        const Station& ring = is_far ? w_.rings.back() : w_.rings.front();
+        const Vec3 y = ring.tangent.cross(ring.x);
+        return ring.centre +
+               ring.half.mean() * (std::cos(angle + ring.turn) * ring.x + std::sin(angle + ring.turn) * y);
+    }
+    void insert(const JointSide& side, bool is_far) {
+        const int rings = wanted(side, is_far);
+        if (rings == 0) return;
+        Station ring = w_.rings.empty() ? at_surface(is_far) : is_far ? w_.rings.back() : w_.rings.front();
+        Station follow;
+        follow.centre = ring.centre;
+        follow.tangent = ring.tangent;
+        follow.x = ring.x;
+        follow.turn = ring.turn;
+        follow.bone = ring.bone;
+        follow.along = ring.along;
+        follow.shape = RingShape::follow;
+        follow.far = is_far;
+        follow.node = w_.n.joint_node[side.joint];
+        for (int i = 0; i < rings; ++i) {
+            follow.share = static_cast<float>(rings - i) / static_cast<float>(rings + 1);
+            w_.rings.insert(is_far ? w_.rings.end() : w_.rings.begin(), follow);
+        }
+    }
+    Station at_surface(bool is_far) const {
+        Station ring;
+        ring.centre = w_.position(is_far ? 0 : w_.count() - 1);
+        ring.bone = w_.bones[is_far ? 0 : w_.bone_count() - 1];
+        return ring;
+    }
+
+    PathWork& w_;
+};
+
+}  // namespace
+
+void find_angles(PathWork& work) { AngleFinder(work).run(); }
+void add_follow_rings(PathWork& work) { Follower(work).run(); }
+
+}  // namespace sinew::sqm

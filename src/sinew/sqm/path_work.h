@@ -1,0 +1,59 @@
+/// @file path_work.h
+/// One path while its rings are found. Internal to the stations.
+#pragma once
+
+#include <span>
+
+#include "sinew/sqm/stations.h"
+
+namespace sinew::sqm {
+
+/// What a joint takes of the path that leaves it.
+struct JointSide {
+    std::int32_t joint = -1, cell = -1;
+    Vec3 centre = Vec3::Zero();
+    std::vector<std::uint32_t> ring;  ///< its points, counter-clockwise in the path's sense
+    double reach = 0;                 ///< how far they go along the bone
+    double farthest = 0;              ///< and from the joint's centre
+
+    bool any() const { return joint >= 0; }
+};
+
+struct PathWork {
+    const Plain& s;
+    const Network& n;
+    const Polyhedra& p;
+    const Refinement& r;
+    const JointPoints& points;
+    Stations& out;
+
+    std::int32_t path = 0, sides = 4;
+    std::span<const std::int32_t> nodes, bones;
+    bool closed = false;
+    JointSide near, far;
+    std::vector<Station> rings;
+
+    std::int32_t count() const { return static_cast<std::int32_t>(nodes.size()); }
+    std::int32_t bone_count() const { return closed ? count() : count() - 1; }
+    std::int32_t node(std::int32_t i) const { return nodes[(i + count()) % count()]; }
+    const Vec3& position(std::int32_t i) const { return s.position[node(i)]; }
+    double radius(std::int32_t i) const { return s.radius[node(i)]; }
+    const Form* form(std::int32_t i) const { return s.form(node(i)); }
+    Vec3 direction(std::int32_t bone) const { return (position(bone + 1) - position(bone)).normalized(); }
+    BoneKind kind(std::int32_t bone) const { return s.bone_kind[bones[bone]]; }
+    bool is_inner(std::int32_t i) const { return closed || (i > 0 && i + 1 < count()); }
+};
+
+/// Rings along the path, from its start to its end, but for the follow rings. @param keep_all leaves out none
+/// at nodes.
+void place_rings(PathWork& work, bool keep_all);
+
+/// Turns the rings' frames along the path, spreads its columns and the twist, and writes its angles, shift
+/// and corners.
+void find_angles(PathWork& work);
+
+/// Where the faces between a joint and the first ring would cut off much of the joint's surface, rings follow
+/// it.
+void add_follow_rings(PathWork& work);
+
+}  // namespace sinew::sqm
