@@ -84,7 +84,9 @@ inline Numbers next_numbers(const Level& level, const Far::TopologyLevel& theirs
 /// positions of the last level.
 inline std::vector<std::vector<Vec3>> subdivide(const QuadMesh& mesh, int levels, bool limit = false) {
     const auto refiner = refiner_of(mesh);
-    refiner->RefineUniform(Far::TopologyRefiner::UniformOptions(levels));
+    Far::TopologyRefiner::UniformOptions uniform(levels);
+    uniform.fullTopologyInLastLevel = limit;
+    refiner->RefineUniform(uniform);
     const Far::PrimvarRefinerReal<double> primvars(*refiner);
 
     std::vector<Point> points(mesh.vertex_count());

@@ -31,26 +31,38 @@ Vec3 sum_of_faces(const VertexRing& ring, std::size_t begin, std::size_t count) 
     return sum;
 }
 
+/// A of the eigenvectors of a step of Catmull-Clark round a vertex whose edges are `angle` apart.
+double edge_weight(double angle) {
+    const double c = 1 + std::cos(angle);
+    return c + std::sqrt(c * (8 + c));
+}
+
 /// Normal of a smooth inner vertex, by the tangent masks of Catmull-Clark (Halstead, Kass and DeRose 1993)
 /// applied to the ring after one step of subdivision.
 Vec3 smooth_normal(const VertexRing& ring) {
     const std::size_t n = ring.sharpness.size();
-    const double angle = 2 * std::numbers::pi / static_cast<double>(n), cosine = std::cos(angle);
-    const double edge_weight = 1 + cosine + std::cos(angle / 2) * std::sqrt(2 * (9 + cosine));
+    if (n == 2)
+        return (edge_at(ring, 0) - edge_at(ring, 1)).cross(mean_at(ring, 0) - mean_at(ring, 1)).normalized();
+    const double angle = 2 * std::numbers::pi / static_cast<double>(n), weight = edge_weight(angle);
     Vec3 along = Vec3::Zero(), across = Vec3::Zero();
     for (std::size_t i = 0; i < n; ++i) {
         const double here = angle * static_cast<double>(i), next = angle * static_cast<double>(i + 1);
         const Vec3 mean = mean_at(ring, i);
         const Vec3 edge = (edge_at(ring, i) + mean_at(ring, (i + n - 1) % n) + mean) / 4;
-        along += edge_weight * std::cos(here) * edge + (std::cos(here) + std::cos(next)) * mean;
-        across += edge_weight * std::sin(here) * edge + (std::sin(here) + std::sin(next)) * mean;
+        along += weight * std::cos(here) * edge + (std::cos(here) + std::cos(next)) * mean;
+        across += weight * std::sin(here) * edge + (std::sin(here) + std::sin(next)) * mean;
     }
     const Vec3 normal = along.cross(across);
     return normal.norm() > 0 ? normal.normalized() : sum_of_faces(ring, 0, n).normalized();
 }
 
-/// Normal of the side of a crease that has `count` faces from face `begin` on, by the crease's tangent masks
-/// (Biermann, Levin and Zorin 2000; as OpenSubdiv has them) applied to the ring after one step.
+/// Normal of the side of a crease that has `count` faces from face `begin` on: of the crease's direction and
+/// of the eigenvector that runs across, of the ring after one step.
+///
+/// With s_i = sin(i pi / count) that eigenvector weighs inner edges by A s_i, corners of faces by s_i +
+/// s_i+1, and the ends of the crease alike; its eigenvalue is (4 + A) / 16, as for a smooth vertex of twice
+/// as many faces. (The mask of OpenSubdiv, after Biermann, Levin and Zorin, has 4 for A, which is right for
+/// two faces only.)
 Vec3 crease_normal(const VertexRing& ring, std::size_t begin, std::size_t count) {
     VertexRing finer = ring;
     refine_ring(finer);
@@ -63,11 +75,13 @@ Vec3 crease_normal(const VertexRing& ring, std::size_t begin, std::size_t count)
     const Vec3 side = sum_of_faces(finer, begin, count);
     if (count == 1) return on_side_of((first - last).cross(first + last), side);
     const double angle = std::numbers::pi / static_cast<double>(count);
-    const double ratio = (1 + std::cos(angle)) / std::sin(angle);
-    Vec3 across = -ratio * (1 + 2 * std::cos(angle)) * (first + last);
+    const double inner = edge_weight(angle), eigenvalue = (4 + inner) / 16;
+    const double end =
+        (std::sin(angle) * eigenvalue - (inner + 2) / std::tan(angle / 2) / 8) / (eigenvalue - 0.25);
+    Vec3 across = end * (first + last);
     for (std::size_t i = 0; i < count; ++i) {
         const double here = angle * static_cast<double>(i), next = angle * static_cast<double>(i + 1);
-        across += 4 * std::sin(here) * edge_at(finer, begin + i);
+        across += inner * std::sin(here) * edge_at(finer, begin + i);
         across += (std::sin(here) + std::sin(next)) * face_point(i);
     }
     return on_side_of((first - last).cross(across), side);
@@ -143,7 +157,7 @@ void write_smooth(const Finest& finest, std::span<const Vec3f> control, const No
     with_finest_faces(finest, control, [&](const auto& see) {
         for_each_ring(finest.levels, finest.splits, [&](Index vertex, const auto& slots) {
             const auto n = static_cast<Eigen::Index>(slots.size());
-            if (n < 3) return;
+            if (n < 2) return;
             VertexRing ring{control[vertex].cast<double>().transpose(), VertexRing::Rows(n, 3),
                             VertexRing::Rows(n, 3), std::vector<float>(slots.size(), 0)};
             for (Eigen::Index i = 0; i < n; ++i) {
