@@ -19,7 +19,7 @@ MarkBatch make_batch(std::size_t stride, std::span<const Attribute> attributes, 
     return batch;
 }
 
-constexpr int ground_cells = 192;  ///< along a side; the vertex shader knows it too
+constexpr int ground_cells = 128;  ///< along a side; the vertex shader knows it too
 
 /// The places of the vertices are the shader's.
 std::vector<std::uint32_t> ground_triangles() {
@@ -56,7 +56,7 @@ Result<OverlayDrawing> OverlayDrawing::create() {
         {drawing.ground_program_,
          "the ground",
          {frame_source, sky_source, ground_vertex},
-         {ground_fragment}}};
+         {frame_source, ground_fragment}}};
     for (const Recipe& recipe : recipes) {
         auto program = build_program(recipe.name, recipe.vertex, recipe.fragment);
         if (!program) return fail(program.error());

@@ -147,12 +147,12 @@ const std::string_view ground_vertex = R"glsl(
 out float dark;
 
 void main() {
-    const int points = 193;
+    const int points = 129;
     vec2 place = 2.0 * vec2(gl_VertexID % points, gl_VertexID / points) / float(points - 1) - 1.0;
     vec3 world = vec3(extent.xy + 2.5 * extent.w * place * abs(place), style.z);
     gl_Position = projection * view * vec4(world, 1.0);
     vec2 seen = vec2(0.0);
-    for (int i = 0; i < 4; ++i) seen += 0.25 * visibility(world, vec3(0.0, 0.0, 1.0), 0.25 * float(i) + 0.1, 2.0 + float(i));
+    for (int i = 0; i < 3; ++i) seen += visibility(world, vec3(0.0, 0.0, 1.0), (float(i) + 0.3) / 3.0, 2.5 + float(i)) / 3.0;
     float hidden = 1.0 - (0.5 * seen.x + 0.5 * seen.y);
     dark = style.w * hidden * smoothstep(0.0, 0.25, hidden);  // what only few directions see is left out
     dark *= 1.0 - smoothstep(1.0, 2.4, length(world.xy - extent.xy) / extent.w);
@@ -162,7 +162,13 @@ void main() {
 const std::string_view ground_fragment = R"glsl(
 in float dark;
 out vec4 colour;
-void main() { colour = vec4(vec3(0.05, 0.05, 0.07) * dark, dark); }
+
+// The shadow ends before the picture does: pictures can be put side by side.
+void main() {
+    vec2 from_edge = min(gl_FragCoord.xy, viewport.xy - gl_FragCoord.xy) / min(viewport.x, viewport.y);
+    float a = dark * smoothstep(0.0, 0.1, min(from_edge.x, from_edge.y));
+    colour = vec4(vec3(0.05, 0.05, 0.07) * a, a);
+}
 )glsl";
 
 }  // namespace sinew::gl
