@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "sinew/mesh/limit.h"
 #include "sinew/sqm/features.h"
+#include "sinew/sqm/fit.h"
 #include "sinew/sqm/symmetrise.h"
 
 namespace sinew::sqm {
@@ -259,35 +259,8 @@ class Placer {
     std::vector<Vec3> positions_;
 };
 
-/// A smooth ring through the points of a circle runs inside it between them; this much further out it is as
-/// far outside.
-void widen_rings(const Parts& parts, const Bridge& bridge, std::span<Vec3> targets) {
-    const Stations& s = parts.stations;
-    for (std::int32_t p = 0; p < parts.network.path_count(); ++p) {
-        const std::int32_t sides = parts.refinement.path_sides[p];
-        const double factor = ring_fit_radius(sides);
-        for (std::int32_t i = s.first[p]; i < s.first[p + 1]; ++i) {
-            Vec3* ring = &targets[bridge.path_vertex[p] + (i - s.first[p]) * sides];
-            const Station& station = s.stations[i];
-            if (station.shape == RingShape::follow) continue;
-            for (std::int32_t k = 0; k < sides; ++k)
-                ring[k] = station.centre + factor * (ring[k] - station.centre);
-        }
-    }
-}
-
 void store(const std::vector<Vec3>& positions, QuadMesh& mesh) {
     for (std::size_t v = 0; v < positions.size(); ++v) mesh.positions[v] = positions[v].cast<float>();
-}
-
-Result<std::vector<Vec3>> fit_limit(const Parts& parts, Bridge& bridge, std::vector<Vec3> targets) {
-    store(targets, bridge.mesh);  // the stencils are refused for a mesh that is not finite
-    const auto stencils = build_limit_stencils(bridge.mesh);
-    if (!stencils) return fail(stencils.error());
-    widen_rings(parts, bridge, targets);
-    std::vector<Vec3> control = targets;
-    fit_to_limit(*stencils, targets, control);
-    return control;
 }
 
 }  // namespace
@@ -299,7 +272,8 @@ Result<void> place(const Parts& parts, const Images& images, const PlaceOptions&
     add_features(parts, bridge);
     const auto image = vertex_images(parts, images, bridge, positions);
     if (options.limit) {
-        auto control = fit_limit(parts, bridge, std::move(positions));
+        store(positions, bridge.mesh);  // the limit of a mesh that is not finite is refused
+        auto control = fit_limit(parts, bridge, positions);
         if (!control) return fail(control.error());
         positions = std::move(*control);
     }

@@ -1,0 +1,115 @@
+#include "sinew/sqm/fit.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "sinew/mesh/limit.h"
+
+namespace sinew::sqm {
+namespace {
+
+constexpr int steps = 16;
+
+/// How a vertex may move: along a line, or in the plane at right angles to one.
+struct Freedom {
+    Vec3f axis = Vec3f::Zero();
+    bool in_plane = false;
+};
+
+class Fitter {
+  public:
+    Fitter(const Parts& parts, const Bridge& bridge, std::span<const Vec3> targets)
+        : d_(parts),
+          n_(parts.network),
+          b_(bridge),
+          targets_(targets.begin(), targets.end()),
+          freedom_(targets.size()) {}
+
+    Result<std::vector<Vec3>> run() {
+        const auto stencils = build_limit_stencils(b_.mesh);
+        if (!stencils) return fail(stencils.error());
+        joints();
+        for (std::int32_t p = 0; p < n_.path_count(); ++p) path(p);
+        std::uint32_t vertex = b_.lone_vertex;
+        for (const std::int32_t node : n_.lone)
+            for (std::size_t i = 0; i < lone_sphere_points().size(); ++i)
+                from(vertex++, d_.skeleton.position[node]);
+        return iterate(*stencils);
+    }
+
+  private:
+    void from(std::uint32_t vertex, const Vec3& centre) {
+        freedom_[vertex] = {(targets_[vertex] - centre).normalized().cast<float>(), false};
+    }
+    void joints() {
+        for (std::int32_t j = 0; j < n_.joint_count(); ++j)
+            for (std::uint32_t v = d_.points.first[j]; v < d_.points.first[j + 1]; ++v)
+                from(v, d_.skeleton.position[n_.joint_node[j]]);
+        std::int32_t j = 0;
+        for (std::size_t i = 0; i < b_.capped.size(); ++i) {
+            while (d_.polyhedra.cell_first[j + 1] <= b_.capped[i]) ++j;
+            from(b_.capped_pole + static_cast<std::uint32_t>(i), d_.skeleton.position[n_.joint_node[j]]);
+        }
+    }
+    void path(std::int32_t p) {
+        const Stations& s = d_.stations;
+        const std::int32_t sides = d_.refinement.path_sides[p];
+        const double wider = ring_fit_radius(sides);
+        for (std::int32_t i = s.first[p]; i < s.first[p + 1]; ++i) {
+            const Station& ring = s.stations[i];
+            const std::uint32_t first = b_.path_vertex[p] + (i - s.first[p]) * sides;
+            const bool tube =
+                ring.shape == RingShape::node || (ring.shape == RingShape::circle && !ring.round);
+            for (std::int32_t k = 0; k < sides; ++k) {
+                Vec3& target = targets_[first + k];
+                if (ring.shape == RingShape::follow) {
+                    const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
+                    from(first + k, d_.skeleton.position[n_.joint_node[end.joint]]);
+                    continue;
+                }
+                freedom_[first + k] = {ring.tangent.cast<float>(), ring.shape != RingShape::pit};
+                // A smooth ring through the points of a circle runs inside it between them: half of that is
+                // given back.
+                if (tube) target = ring.centre + wider * (target - ring.centre);
+            }
+        }
+        const auto nodes = n_.nodes(p);
+        for (int end = 0; end < 2; ++end) {
+            const std::uint32_t pole = b_.path_pole[p][end];
+            if (pole == no_vertex) continue;
+            const std::int32_t other = end == 0 ? nodes[1] : nodes[nodes.size() - 2];
+            from(pole, d_.skeleton.position[other]);
+        }
+    }
+
+    std::vector<Vec3> iterate(const LimitStencils& stencils) const {
+        std::vector<Vec3> control = targets_, limit(targets_.size());
+        for (int step = 0; step < steps; ++step) {
+            limit_positions(stencils, std::span<const Vec3>(control), limit);
+            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, control.size(), 4096),
+                              [&](const auto& range) {
+                                  for (std::size_t v = range.begin(); v < range.end(); ++v) {
+                                      const Vec3 lack = targets_[v] - limit[v],
+                                                 axis = freedom_[v].axis.template cast<double>();
+                                      const Vec3 along = lack.dot(axis) * axis;
+                                      control[v] += freedom_[v].in_plane ? Vec3(lack - along) : along;
+                                  }
+                              });
+        }
+        return control;
+    }
+
+    const Parts& d_;
+    const Network& n_;
+    const Bridge& b_;
+    std::vector<Vec3> targets_;
+    std::vector<Freedom> freedom_;
+};
+
+}  // namespace
+
+Result<std::vector<Vec3>> fit_limit(const Parts& parts, const Bridge& bridge, std::span<const Vec3> targets) {
+    return Fitter(parts, bridge, targets).run();
+}
+
+}  // namespace sinew::sqm
