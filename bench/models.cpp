@@ -1,35 +1,41 @@
 #include "models.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <deque>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <sstream>
+
+#include "sinew/grow/grow.h"
 
 namespace sinew::bench {
 namespace {
 
-/// Where the turtle of figure 2.6 stands: heading, left and up, as columns.
-struct Turtle {
-    std::int32_t node = 0;
-    Mat3 frame = Mat3::Identity();
-    double length = 1, width = 10;
-    char symbol = 'A';
-};
-
-Mat3 turned(const Turtle& turtle, double degrees, int column) {
-    const Eigen::AngleAxisd turn(degrees * M_PI / 180, turtle.frame.col(column));
-    return turn.toRotationMatrix() * turtle.frame;
+Grammar figure_2_6a() {
+    std::ifstream file(std::string(SINEW_LSYSTEMS) + "/honda_a.lsys");
+    std::stringstream text;
+    text << file.rdbuf();
+    return parse_grammar(text.str(), "honda_a.lsys").value();
 }
 
-/// $: rolls about the heading until the turtle's left is level (the world's up is y).
-Mat3 levelled(const Mat3& frame) {
-    const Vec3 heading = frame.col(0), left = Vec3::UnitY().cross(heading);
-    if (left.norm() < 1e-9) return frame;
-    Mat3 level;
-    level << heading, left.normalized(), heading.cross(left.normalized());
-    return level;
+/// The nodes in the order of their depth, as if all twigs grew at once; so the first n are a tree as well.
+Document by_depth(const Document& grown, std::int32_t nodes) {
+    std::vector<std::int32_t> depth(grown.nodes.size(), 0), order(grown.nodes.size()),
+        place(grown.nodes.size());
+    for (std::size_t i = 1; i < depth.size(); ++i) depth[i] = depth[grown.nodes[i].parent] + 1;
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return depth[a] < depth[b]; });
+    Document document;
+    for (std::int32_t i = 0; i < nodes; ++i) {
+        Node node = grown.nodes[order[i]];
+        place[node.id] = i;
+        node.id = i;
+        if (node.parent >= 0) node.parent = place[node.parent];
+        document.nodes.push_back(std::move(node));
+    }
+    return document;
 }
 
 Document read_graph(const std::filesystem::path& path) {
@@ -56,40 +62,8 @@ Document read_graph(const std::filesystem::path& path) {
 }  // namespace
 
 Document monopodial_tree(std::int32_t nodes) {
-    constexpr double r1 = 0.9, r2 = 0.6, a0 = 45, a2 = 45, d = 137.5, wr = 0.707;
-    Document document;
-    document.nodes.resize(1);
-    Turtle seed;  // heading up, left to -x, as in the book
-    seed.frame << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-    document.nodes[0].radius = seed.width / 200;
-    std::deque<Turtle> apices{seed};
-    while (std::ssize(document.nodes) < nodes) {
-        const Turtle at = apices.front();
-        apices.pop_front();
-        Node node;
-        node.id = static_cast<std::int64_t>(document.nodes.size());
-        node.parent = at.node;
-        node.position = document.nodes[at.node].position + at.length * at.frame.col(0);
-        node.radius = at.width / 200;
-        document.nodes.push_back(node);
-
-        Turtle side = at, on = at;
-        side.node = on.node = static_cast<std::int32_t>(node.id);
-        side.length *= r2, on.length *= r1;
-        side.width *= wr, on.width *= wr;
-        if (at.symbol == 'A') {
-            side.symbol = 'B';
-            side.frame = turned(at, a0, 1);
-            on.frame = turned(at, d, 0);
-        } else {
-            side.symbol = at.symbol == 'B' ? 'C' : 'B';
-            on.symbol = side.symbol;
-            side.frame = levelled(turned(at, at.symbol == 'B' ? -a2 : a2, 2));
-        }
-        apices.push_back(side);
-        apices.push_back(on);
-    }
-    return document;
+    const int steps = static_cast<int>(std::ceil(std::log2(nodes)));
+    return by_depth(grow(figure_2_6a(), {.steps = steps, .constants = {{"w0", 0.05}}}).value(), nodes);
 }
 
 Document bcc_lattice(int cells, double radius) {

@@ -16,9 +16,9 @@ struct Model {
     bool repair = false;             ///< measured: nodes are thinned before skinning
 };
 
-/// The monopodial tree of figure 2.6a of "The Algorithmic Beauty of Plants" (r1 = 0.9, r2 = 0.6, a0 = a2 = 45
-/// degrees, d = 137.5 degrees, wr = 0.707), bones in the order in which they grow, cut off at a number of
-/// nodes; 2^n of them are n derivation steps.
+/// The monopodial tree of figure 2.6a of "The Algorithmic Beauty of Plants", grown by
+/// examples/lsystems/honda_a.lsys, its bones in the order of their depth, cut off at a number of nodes; 2^n
+/// of them are n derivation steps.
 Document monopodial_tree(std::int32_t nodes);
 
 /// A body-centred cubic lattice of cells^3 cells of side 1: corners, centres, and a strut from each centre to
