@@ -80,6 +80,15 @@ TEST(SkeletonFormats, AGraphKeepsPositionsRadiiAndBones) {
     EXPECT_THAT(graph.warnings[1].message, HasSubstr("1 node lost the name"));
 }
 
+TEST(SkeletonFormats, FormatsWithoutSymmetryGetAllImages) {
+    Document document = parse_skeleton(rich, "a.sinew").value().document;
+    document.symmetry = {Symmetry::Kind::mirror, 0, 1};
+    const Document back =
+        parse_skeleton(print_skeleton(document, "a.graph").value().text, "a.graph").value().document;
+    EXPECT_EQ(back.nodes.size(), 6u);  // two are on the plane
+    EXPECT_EQ(back.nodes[5].position, Vec3(-5, 5, 5));
+}
+
 TEST(SkeletonFormats, AnSwcFileKeepsTheTree) {
     const Document document = parse_skeleton(rich, "a.sinew").value().document;
     const WrittenSkeleton swc = print_skeleton(document, "a.swc").value();

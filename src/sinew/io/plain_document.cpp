@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "sinew/skeleton/symmetry.h"
 #include "sinew/skeleton/validate.h"
 
 namespace sinew {
@@ -32,14 +33,11 @@ void warn_of_loss(PlainDocument& plain, std::string_view format, std::string_vie
 
 Result<PlainDocument> plain_document(const Document& document, std::string_view format) {
     if (Result<void> valid = validate(document); !valid) return fail(std::move(valid.error()));
-    PlainDocument plain{.document = document};
-    warn_of_loss(plain, format, "the type or shape",
-                 [&](std::size_t i) { return is_shaped(document.nodes[i]); });
+    PlainDocument plain{.document = expand_symmetry(document).document};
+    const Document& all = plain.document;
+    warn_of_loss(plain, format, "the type or shape", [&](std::size_t i) { return is_shaped(all.nodes[i]); });
     warn_of_loss(plain, format, "the name",
-                 [&](std::size_t i) { return !document.names.empty() && !document.names[i].empty(); });
-    if (document.symmetry.kind != Symmetry::Kind::none)
-        plain.warnings.push_back(
-            {.message = fmt::format("the symmetry was lost, which the format {} does not know", format)});
+                 [&](std::size_t i) { return !all.names.empty() && !all.names[i].empty(); });
     return plain;
 }
 

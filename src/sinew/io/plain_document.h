@@ -13,8 +13,8 @@ struct PlainDocument {
     Warnings warnings;  ///< what gets lost, one a kind
 };
 
-/// Checks a document and takes leave of what the format cannot carry: types and shapes, names, its unit, its
-/// symmetry.
+/// Checks a document, expands its symmetry and takes leave of what the format cannot carry: types and shapes,
+/// names, its unit.
 Result<PlainDocument> plain_document(const Document& document, std::string_view format);
 
 }  // namespace sinew
