@@ -1,0 +1,47 @@
+#include "document/images.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace sinew::modeler {
+
+std::vector<Mat3> images_of(const Symmetry& symmetry) {
+    std::vector<Mat3> images{Mat3::Identity()};
+    if (symmetry.kind == Symmetry::Kind::mirror) {
+        Mat3 reflection = Mat3::Identity();
+        reflection(symmetry.axis, symmetry.axis) = -1;
+        images.push_back(reflection);
+    }
+    if (symmetry.kind == Symmetry::Kind::radial)
+        for (int i = 1; i < symmetry.count; ++i)
+            images.push_back(
+                Eigen::AngleAxisd(2 * std::numbers::pi * i / symmetry.count, Vec3(Vec3::Unit(symmetry.axis)))
+                    .toRotationMatrix());
+    return images;
+}
+
+Vec3 onto_symmetry(const Symmetry& symmetry, const Vec3& point) {
+    Vec3 result = point;
+    if (symmetry.kind == Symmetry::Kind::mirror) result[symmetry.axis] = 0;
+    if (symmetry.kind == Symmetry::Kind::radial) result = point[symmetry.axis] * Vec3::Unit(symmetry.axis);
+    return result;
+}
+
+bool is_own_twin(const Symmetry& symmetry, const Vec3& point, double size) {
+    return (onto_symmetry(symmetry, point) - point).norm() <= 1e-9 * size;
+}
+
+std::string describe(const Symmetry& symmetry) {
+    const char axis = static_cast<char>('x' + symmetry.axis);
+    switch (symmetry.kind) {
+        case Symmetry::Kind::mirror:
+            return fmt::format("mirror {}", axis);
+        case Symmetry::Kind::radial:
+            return fmt::format("radial {}, {}", axis, symmetry.count);
+        default:
+            return "no symmetry";
+    }
+}
+
+}  // namespace sinew::modeler

@@ -1,0 +1,91 @@
+/// @file interaction.h
+/// From pointer events to gestures: which one a press, a drag or a key begins, and when it ends.
+///
+/// idle --press--> pressed --drag far enough--> dragging --release--> idle       (a click, where it was not
+/// far) idle --key----> following (no button held) --click--> idle
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "document/model.h"
+#include "document/pick.h"
+#include "tools/gesture.h"
+#include "tools/snap.h"
+
+namespace sinew::modeler {
+
+/// What a drag from a node does: draw a child of it, move it, change its radius.
+enum class Tool : std::uint8_t { draw, move, radius };
+
+/// Gestures that a key begins; they follow the pointer until the next click.
+enum class Modal : std::uint8_t { extrude, move, radius, duplicate, link };
+
+class Interaction {
+  public:
+    explicit Interaction(Model& model) : model_(model) {}
+
+    Tool tool = Tool::draw;
+    SnapTo snap_to = SnapTo::grid;
+    double glyph_scale = 1;  ///< as drawn (see glyph.h)
+
+    void press(const Pointer& pointer, const Screen& screen);
+    void move(const Pointer& pointer, const Screen& screen);
+    void release(const Pointer& pointer, const Screen& screen);
+    /// A notch of the wheel changes the radius of the node under the pointer.
+    /// @return false where there is none
+    bool wheel(const Pointer& pointer, const Screen& screen, double notches);
+    /// The pointer left the window.
+    void leave();
+
+    /// @return false where it makes no sense now, such as linking with nothing selected
+    bool start(Modal modal, const Pointer& pointer, const Screen& screen);
+
+    /// @name While a gesture runs: keys first go here. False: not for us.
+    /// @{
+    bool type(char key, const Screen& screen);  ///< x, y, z (upper case: across), digits, '.', '-', '\b'
+    void finish();
+    void cancel();
+    bool active() const { return gesture_ != nullptr; }
+    /// @}
+
+    const Hit& hovered() const { return hovered_; }
+    const std::optional<AxisLock>& hovered_handle() const { return hovered_handle_; }
+    /// Where the gizmo is; nothing where there is none.
+    std::optional<Vec3> gizmo_place() const;
+    const Glyphing& glyphs();
+    std::string hint() const;
+    Guides guides() const { return gesture_ ? gesture_->guides() : Guides{}; }
+
+  private:
+    struct Press {
+        Pointer pointer;
+        Hit hit;
+        std::optional<AxisLock> handle;
+    };
+    std::vector<Hit> hits(const Pointer& pointer, const Screen& screen);
+    void begin_drag(const Pointer& pointer, const Screen& screen);
+    void click(const Pointer& pointer, const Screen& screen);
+    void select_hit(const Hit& hit, bool add);
+    Selection grabbed(const Hit& hit) const;
+    std::unique_ptr<Gesture> draw_from(const Hit& hit, const Pointer& pointer);
+    std::unique_ptr<Gesture> move_of(const Selection& nodes, std::int32_t image, const Pointer& pointer,
+                                     AxisLock lock = {});
+    void apply_amount(const Screen& screen);
+
+    Model& model_;
+    std::unique_ptr<Gesture> gesture_;
+    bool modal_ = false;
+    std::optional<Press> pressed_;
+    Pointer last_pointer_;
+    Hit hovered_, last_click_;
+    Vec2 last_click_at_{-1e9, -1e9};
+    std::optional<AxisLock> hovered_handle_;
+    std::string typed_;
+    Glyphing glyphs_;
+    std::uint64_t glyphs_revision_ = ~0ull;
+    double glyphs_scale_ = 0;
+};
+
+}  // namespace sinew::modeler
