@@ -1,6 +1,6 @@
 /// @file action.h
-/// Everything that the modeler can do, declared once. Menus, the toolbar, the context menu, the command palette, the
-/// shortcut sheet and the table of keys in the docs are made from this table.
+/// Everything that the modeler can do, declared once. Menus, the toolbar, the context menu, the command
+/// palette, the shortcut sheet and the table of keys in the docs are made from this table.
 #pragma once
 
 #include <span>
@@ -11,8 +11,6 @@
 #include "tools/interaction.h"
 
 namespace sinew::modeler {
-
-enum class StandardView : std::uint8_t { front, back, right, left, top, bottom };
 
 /// What only a window can do.
 class Host {
@@ -70,7 +68,8 @@ std::span<const Action> actions();
 const Action* find_action(std::string_view id);
 std::string_view name_of(Menu menu);
 
-/// The actions whose name, submenu or tip contain the letters of `text` in order, best first; all for no text.
+/// The actions whose name, submenu or tip contain the letters of `text` in order, best first; all for no
+/// text.
 std::vector<const Action*> search_actions(std::string_view text);
 
 /// The table of keys for the docs, in Markdown.

@@ -17,8 +17,9 @@ const Action table[] = {
      [](Context& c) { c.host.import(); }, nullptr, nullptr, true},
     {"file.export", "Export mesh...", "Ctrl+E", "Writes the mesh for other programs", Menu::file,
      [](Context& c) { c.host.export_mesh(); }, any_node, nullptr, false, true},
-    {"file.references", "Reference pictures...", "", "Pictures behind the views from the front, the side and above",
-     Menu::file, [](Context& c) { c.host.reference_pictures(); }, nullptr, nullptr, true},
+    {"file.references", "Reference pictures...", "",
+     "Pictures behind the views from the front, the side and above", Menu::file,
+     [](Context& c) { c.host.reference_pictures(); }, nullptr, nullptr, true},
     {"file.quit", "Quit", "Ctrl+Q", "Closes the window; asks first where something is not saved", Menu::file,
      [](Context& c) { c.host.quit(); }, nullptr, nullptr, true},
 };

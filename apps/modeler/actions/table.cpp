@@ -11,7 +11,9 @@ namespace {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-bool starts_word(std::string_view text, std::size_t i) { return i == 0 || text[i - 1] == ' ' || text[i - 1] == '>'; }
+bool starts_word(std::string_view text, std::size_t i) {
+    return i == 0 || text[i - 1] == ' ' || text[i - 1] == '>';
+}
 
 /// How badly `text` matches: 0 at best; INT_MAX where its letters are not all there in order.
 int mismatch(std::string_view text, std::string_view wanted) {
@@ -40,7 +42,8 @@ int mismatch(const Action& action, std::string_view wanted) {
 
 std::vector<Action> gathered() {
     std::vector<Action> all;
-    for (auto part : {file_actions(), edit_actions(), select_actions(), skeleton_actions(), view_actions(), help_actions()})
+    for (auto part : {file_actions(), edit_actions(), select_actions(), skeleton_actions(), view_actions(),
+                      help_actions()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }
@@ -73,7 +76,8 @@ std::vector<const Action*> search_actions(std::string_view text) {
     std::vector<std::pair<int, const Action*>> found;
     for (const Action& action : actions())
         if (const int cost = mismatch(action, text); cost != INT_MAX) found.emplace_back(cost, &action);
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<const Action*> result;
     for (const auto& [cost, action] : found) result.push_back(action);
     return result;
@@ -84,8 +88,8 @@ std::string keys_as_markdown() {
     Menu menu = Menu::help;
     for (const Action& action : actions()) {
         if (text.empty() || action.menu != menu)
-            text += fmt::format("{}### {}\n\n| Action | Keys | What it does |\n|---|---|---|\n", text.empty() ? "" : "\n",
-                                name_of(action.menu));
+            text += fmt::format("{}### {}\n\n| Action | Keys | What it does |\n|---|---|---|\n",
+                                text.empty() ? "" : "\n", name_of(action.menu));
         menu = action.menu;
         text += fmt::format("| {} | {} | {} |\n", action.name, keys_of(action), action.tip);
     }

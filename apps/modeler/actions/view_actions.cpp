@@ -3,11 +3,11 @@
 namespace sinew::modeler {
 namespace {
 
-template <bool ViewSettings::* setting>
+template <bool ViewSettings::*setting>
 void flip(Context& c) {
     c.view.*setting = !(c.view.*setting);
 }
-template <bool ViewSettings::* setting>
+template <bool ViewSettings::*setting>
 bool on(const Context& c) {
     return c.view.*setting;
 }
@@ -34,33 +34,36 @@ void look(Context& c) {
 }
 
 const Action table[] = {
-    {"view.live", "Live mesh", "Space", "Skins the skeleton, and again after every edit; off: the bones alone", Menu::view,
+    {"view.live", "Live mesh", "Space",
+     "Skins the skeleton, and again after every edit; off: the bones alone", Menu::view,
      flip<&ViewSettings::live>, nullptr, on<&ViewSettings::live>, false, true, true},
-    {"view.level0", "Level > Control mesh", "0", "Shows the mesh without subdivision", Menu::view, set_level<0>, nullptr,
-     has_level<0>},
+    {"view.level0", "Level > Control mesh", "0", "Shows the mesh without subdivision", Menu::view,
+     set_level<0>, nullptr, has_level<0>},
     {"view.level1", "Level > 1", "1", "Subdivides once", Menu::view, set_level<1>, nullptr, has_level<1>},
     {"view.level2", "Level > 2", "2", "Subdivides twice", Menu::view, set_level<2>, nullptr, has_level<2>},
-    {"view.level3", "Level > 3", "3", "Subdivides three times", Menu::view, set_level<3>, nullptr, has_level<3>},
-    {"view.level4", "Level > 4", "4", "Subdivides four times", Menu::view, set_level<4>, nullptr, has_level<4>},
-    {"view.wire", "Wireframe", "W", "Draws the edges of the faces", Menu::view, flip<&ViewSettings::wire>, nullptr,
-     on<&ViewSettings::wire>, true, true},
+    {"view.level3", "Level > 3", "3", "Subdivides three times", Menu::view, set_level<3>, nullptr,
+     has_level<3>},
+    {"view.level4", "Level > 4", "4", "Subdivides four times", Menu::view, set_level<4>, nullptr,
+     has_level<4>},
+    {"view.wire", "Wireframe", "W", "Draws the edges of the faces", Menu::view, flip<&ViewSettings::wire>,
+     nullptr, on<&ViewSettings::wire>, true, true},
     {"view.lit", "Shading > Lit", "Alt+1", "Soft light", Menu::view, set_shading<Shading::lit>, nullptr,
      has_shading<Shading::lit>},
-    {"view.matcap", "Shading > Matcap", "Alt+2", "Shows form and nothing else", Menu::view, set_shading<Shading::matcap>,
-     nullptr, has_shading<Shading::matcap>},
-    {"view.flat", "Shading > Flat", "Alt+3", "Every face on its own", Menu::view, set_shading<Shading::flat>, nullptr,
-     has_shading<Shading::flat>},
+    {"view.matcap", "Shading > Matcap", "Alt+2", "Shows form and nothing else", Menu::view,
+     set_shading<Shading::matcap>, nullptr, has_shading<Shading::matcap>},
+    {"view.flat", "Shading > Flat", "Alt+3", "Every face on its own", Menu::view, set_shading<Shading::flat>,
+     nullptr, has_shading<Shading::flat>},
     {"view.xray", "See through", "Alt+X", "Lets the bones be seen inside the mesh", Menu::view,
      [](Context& c) { c.view.opacity = c.view.opacity < 1 ? 1 : 0.45; }, nullptr,
      [](const Context& c) { return c.view.opacity < 1; }, false, true},
     {"view.bones", "Bones", "Alt+B", "Shows nodes and bones", Menu::view, flip<&ViewSettings::bones>, nullptr,
      on<&ViewSettings::bones>},
-    {"view.irregular", "Irregular vertices", "Alt+I", "Marks vertices where not four edges meet, and poles", Menu::view,
-     flip<&ViewSettings::irregular>, nullptr, on<&ViewSettings::irregular>},
-    {"view.creases", "Creases", "Alt+C", "Marks edges that stay sharp", Menu::view, flip<&ViewSettings::creases>, nullptr,
-     on<&ViewSettings::creases>},
-    {"view.names", "Names", "Alt+N", "Writes the names of nodes beside them", Menu::view, flip<&ViewSettings::names>,
-     nullptr, on<&ViewSettings::names>},
+    {"view.irregular", "Irregular vertices", "Alt+I", "Marks vertices where not four edges meet, and poles",
+     Menu::view, flip<&ViewSettings::irregular>, nullptr, on<&ViewSettings::irregular>},
+    {"view.creases", "Creases", "Alt+C", "Marks edges that stay sharp", Menu::view,
+     flip<&ViewSettings::creases>, nullptr, on<&ViewSettings::creases>},
+    {"view.names", "Names", "Alt+N", "Writes the names of nodes beside them", Menu::view,
+     flip<&ViewSettings::names>, nullptr, on<&ViewSettings::names>},
     {"view.grid", "Grid", "Alt+G", "Draws the ground", Menu::view, flip<&ViewSettings::grid>, nullptr,
      on<&ViewSettings::grid>},
     {"view.frame", "Frame selection", "F", "Brings the selection into the middle of the view", Menu::view,
@@ -73,8 +76,8 @@ const Action table[] = {
     {"view.back", "From > Back", "Ctrl+Num+1", "Looks along -y", Menu::view, look<StandardView::back>},
     {"view.left", "From > Left", "Ctrl+Num+3", "Looks along +x", Menu::view, look<StandardView::left>},
     {"view.bottom", "From > Bottom", "Ctrl+Num+7", "Looks up", Menu::view, look<StandardView::bottom>},
-    {"view.perspective", "Perspective", "Num+5 | P", "Perspective or parallel lines that stay parallel", Menu::view,
-     [](Context& c) { c.host.toggle_perspective(); }},
+    {"view.perspective", "Perspective", "Num+5 | P", "Perspective or parallel lines that stay parallel",
+     Menu::view, [](Context& c) { c.host.toggle_perspective(); }},
 };
 
 }  // namespace

@@ -76,33 +76,37 @@ void put_angle(Document& d, std::int32_t i, double value) {
 }
 
 const Field table[] = {
-    {"x", "Position", "X", "Where the node is", Unit::length, -any, any, get_position<0>, put_position<0>, always},
-    {"y", "Position", "Y", "Where the node is", Unit::length, -any, any, get_position<1>, put_position<1>, always},
-    {"z", "Position", "Z", "Where the node is", Unit::length, -any, any, get_position<2>, put_position<2>, always},
+    {"x", "Position", "X", "Where the node is", Unit::length, -any, any, get_position<0>, put_position<0>,
+     always},
+    {"y", "Position", "Y", "Where the node is", Unit::length, -any, any, get_position<1>, put_position<1>,
+     always},
+    {"z", "Position", "Z", "Where the node is", Unit::length, -any, any, get_position<2>, put_position<2>,
+     always},
     {"radius", "Radius", "", "Half the thickness of the tube here", Unit::length, tiny, any,
      [](const Document& d, std::int32_t i) { return node(d, i).radius; },
      [](Document& d, std::int32_t i, double v) { node(d, i).radius = v; }, always},
-    {"width", "Section", "W", "Width of the section, as a factor of the radius", Unit::factor, tiny, any, get_scale<0>,
-     put_scale<0>, has_section},
-    {"height", "Section", "H", "Height of the section, as a factor of the radius", Unit::factor, tiny, any, get_scale<1>,
-     put_scale<1>, has_section},
-    {"depth", "Section", "D", "Third axis of an ellipsoid, as a factor of the radius", Unit::factor, tiny, any,
-     get_scale<2>, put_scale<2>, has_depth},
+    {"width", "Section", "W", "Width of the section, as a factor of the radius", Unit::factor, tiny, any,
+     get_scale<0>, put_scale<0>, has_section},
+    {"height", "Section", "H", "Height of the section, as a factor of the radius", Unit::factor, tiny, any,
+     get_scale<1>, put_scale<1>, has_section},
+    {"depth", "Section", "D", "Third axis of an ellipsoid, as a factor of the radius", Unit::factor, tiny,
+     any, get_scale<2>, put_scale<2>, has_depth},
     {"size_x", "Size", "X", "Extent of the box", Unit::length, tiny, any, get_size<0>, put_size<0>, is_cube},
     {"size_y", "Size", "Y", "Extent of the box", Unit::length, tiny, any, get_size<1>, put_size<1>, is_cube},
     {"size_z", "Size", "Z", "Extent of the box", Unit::length, tiny, any, get_size<2>, put_size<2>, is_cube},
     {"roll", "Roll", "", "Turn about the bone", Unit::degrees, -360, 360,
      [](const Document& d, std::int32_t i) { return node(d, i).roll; },
      [](Document& d, std::int32_t i, double v) { node(d, i).roll = v; }, always},
-    {"turn_x", "Rotation", "X", "Turn about the world's axes, x first", Unit::degrees, -360, 360, get_angle<0>,
-     put_angle<0>, can_turn},
-    {"turn_y", "Rotation", "Y", "Turn about the world's axes, x first", Unit::degrees, -360, 360, get_angle<1>,
-     put_angle<1>, can_turn},
-    {"turn_z", "Rotation", "Z", "Turn about the world's axes, x first", Unit::degrees, -360, 360, get_angle<2>,
-     put_angle<2>, can_turn},
-    {"joint", "Joint", "", "Sharpness of the ring here: 0 smooth, 10 and above a sharp edge at any level", Unit::factor, 0,
-     10, [](const Document& d, std::int32_t i) { return std::min(node(d, i).joint, 10.0); },
-     [](Document& d, std::int32_t i, double v) { node(d, i).joint = v >= 10 ? infinitely_sharp : v; }, always},
+    {"turn_x", "Rotation", "X", "Turn about the world's axes, x first", Unit::degrees, -360, 360,
+     get_angle<0>, put_angle<0>, can_turn},
+    {"turn_y", "Rotation", "Y", "Turn about the world's axes, x first", Unit::degrees, -360, 360,
+     get_angle<1>, put_angle<1>, can_turn},
+    {"turn_z", "Rotation", "Z", "Turn about the world's axes, x first", Unit::degrees, -360, 360,
+     get_angle<2>, put_angle<2>, can_turn},
+    {"joint", "Joint", "", "Sharpness of the ring here: 0 smooth, 10 and above a sharp edge at any level",
+     Unit::factor, 0, 10, [](const Document& d, std::int32_t i) { return std::min(node(d, i).joint, 10.0); },
+     [](Document& d, std::int32_t i, double v) { node(d, i).joint = v >= 10 ? infinitely_sharp : v; },
+     always},
 };
 
 }  // namespace
@@ -115,7 +119,8 @@ const Field* find_field(std::string_view id) {
     return nullptr;
 }
 
-std::optional<double> common_value(const Document& document, std::span<const std::int32_t> nodes, const Field& field) {
+std::optional<double> common_value(const Document& document, std::span<const std::int32_t> nodes,
+                                   const Field& field) {
     if (nodes.empty()) return std::nullopt;
     const double value = field.get(document, nodes.front());
     for (std::int32_t i : nodes)
@@ -124,10 +129,12 @@ std::optional<double> common_value(const Document& document, std::span<const std
 }
 
 bool relevant_to_all(const Document& document, std::span<const std::int32_t> nodes, const Field& field) {
-    return std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t i) { return field.relevant(document, i); });
+    return std::all_of(nodes.begin(), nodes.end(),
+                       [&](std::int32_t i) { return field.relevant(document, i); });
 }
 
-Document with_value(Document document, std::span<const std::int32_t> nodes, const Field& field, double value) {
+Document with_value(Document document, std::span<const std::int32_t> nodes, const Field& field,
+                    double value) {
     for (std::int32_t i : nodes) field.put(document, i, std::clamp(value, field.least, field.most));
     return document;
 }

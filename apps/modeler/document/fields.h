@@ -29,7 +29,8 @@ std::span<const Field> fields();
 const Field* find_field(std::string_view id);
 
 /// The value that all nodes share; nothing where they differ or there are none.
-std::optional<double> common_value(const Document& document, std::span<const std::int32_t> nodes, const Field& field);
+std::optional<double> common_value(const Document& document, std::span<const std::int32_t> nodes,
+                                   const Field& field);
 
 /// True if the field means something for all of them.
 bool relevant_to_all(const Document& document, std::span<const std::int32_t> nodes, const Field& field);

@@ -6,6 +6,8 @@
 
 namespace sinew::modeler {
 
+enum class StandardView : std::uint8_t { front, back, right, left, top, bottom };
+
 struct ViewSettings {
     bool live = true;  ///< the mesh is made and shown; otherwise only the skeleton is
     int level = 1;     ///< of subdivision

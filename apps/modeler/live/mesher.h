@@ -11,11 +11,12 @@
 
 namespace sinew::modeler {
 
-/// Orders replace each other: only the newest is made. A newer one stops the one in the making, but not twice in a
-/// row: while one drags, the mesh keeps up, if behind the pointer.
+/// Orders replace each other: only the newest is made. A newer one stops the one in the making, but not twice
+/// in a row: while one drags, the mesh keeps up, if behind the pointer.
 class Mesher {
   public:
-    /// @param done  called on the mesher's thread; twice for an order that nothing newer overtakes: when there is
+    /// @param done  called on the mesher's thread; twice for an order that nothing newer overtakes: when
+    /// there is
     ///              something to draw, and when it is measured
     using Done = std::function<void(std::shared_ptr<const LiveMesh>)>;
     explicit Mesher(Done done);

@@ -1,5 +1,6 @@
 /// @file pipeline.h
-/// From a document to what the viewport draws: skin, subdivide, buffers. A pure function with a memory for speed.
+/// From a document to what the viewport draws: skin, subdivide, buffers. A pure function with a memory for
+/// speed.
 #pragma once
 
 #include <memory>
@@ -15,8 +16,9 @@ namespace sinew::modeler {
 
 /// How the surface is made.
 struct MeshOptions {
-    int level = 1;        ///< of subdivision, 0 the control mesh
-    bool to_limit = true; ///< radii are those of the subdivided surface (Fit::limit); level 0 has them anyway
+    int level = 1;  ///< of subdivision, 0 the control mesh
+    bool to_limit =
+        true;             ///< radii are those of the subdivided surface (Fit::limit); level 0 has them anyway
     int sides = 0;        ///< vertices round every tube; 0: as few as possible
     bool repair = false;  ///< a measured skeleton
 
@@ -25,7 +27,7 @@ struct MeshOptions {
 
 /// A surface and how it came about.
 struct LiveMesh {
-    std::uint64_t revision = 0;  ///< of the model, as ordered
+    std::uint64_t revision = 0;            ///< of the model, as ordered
     std::shared_ptr<const QuadMesh> mesh;  ///< null where it failed
     std::shared_ptr<const MeshBuffers> buffers;
     std::optional<Error> error;
@@ -38,7 +40,8 @@ struct LiveMesh {
     std::optional<Measures> measures;
 };
 
-/// Not for two threads at once: it remembers the subdivision of the last topology, since a drag changes only positions.
+/// Not for two threads at once: it remembers the subdivision of the last topology, since a drag changes only
+/// positions.
 class Pipeline {
   public:
     Pipeline();

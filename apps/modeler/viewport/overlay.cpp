@@ -17,7 +17,8 @@ void paint_arrow(QPainter& painter, const Vec2& from, const Vec2& to, const QCol
     const Vec2 way = (to - from).normalized(), side(-way.y(), way.x());
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
-    painter.drawPolygon(QPolygonF{to_qt(to + 9 * way), to_qt(to + 5 * side - 2 * way), to_qt(to - 5 * side - 2 * way)});
+    painter.drawPolygon(
+        QPolygonF{to_qt(to + 9 * way), to_qt(to + 5 * side - 2 * way), to_qt(to - 5 * side - 2 * way)});
 }
 
 /// A pill of dark glass behind text.
@@ -43,7 +44,8 @@ void Overlay::outlines(const Model& model, const Hit& hovered) const {
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(to_qt(*middle), radius, radius);
     };
-    if (hovered.kind == Hit::Kind::node) circle(hovered.index, hovered.image, QColor(255, 255, 255, 150), 1.2);
+    if (hovered.kind == Hit::Kind::node)
+        circle(hovered.index, hovered.image, QColor(255, 255, 255, 150), 1.2);
     if (model.selection().nodes.size() > 40) return;
     for (std::int32_t node : model.selection().nodes)
         circle(node, 0, node == model.selection().active ? theme::active : theme::selected,
@@ -58,8 +60,10 @@ void Overlay::names(const Model& model) const {
         const std::optional<Vec2> at = screen.project(document.nodes[i].position);
         if (!at) continue;
         const QString text = QString::fromStdString(document.names[i]);
-        paint_label(painter, QRectF(at->x() + 10, at->y() - 24, metrics.horizontalAdvance(text) + 12, metrics.height() + 3),
-                    text, theme::text);
+        paint_label(
+            painter,
+            QRectF(at->x() + 10, at->y() - 24, metrics.horizontalAdvance(text) + 12, metrics.height() + 3),
+            text, theme::text);
     }
 }
 
@@ -112,7 +116,8 @@ void Overlay::hint(const QString& text) const {
     if (text.isEmpty()) return;
     const QFontMetricsF metrics(painter.font());
     const double width = metrics.horizontalAdvance(text) + 24, height = metrics.height() + 12;
-    paint_label(painter, QRectF((screen.size().x() - width) / 2, screen.size().y() - height - 14, width, height), text,
+    paint_label(painter,
+                QRectF((screen.size().x() - width) / 2, screen.size().y() - height - 14, width, height), text,
                 theme::text);
 }
 
@@ -140,7 +145,8 @@ std::vector<AxisBall> axis_balls(const Camera& camera, const Vec2& size) {
             const Vec2 middle(size.x() - cross_margin, cross_margin);
             balls.push_back({middle + cross_arm * Vec2(seen.x(), -seen.y()), seen.z(), axis, sign > 0});
         }
-    std::sort(balls.begin(), balls.end(), [](const AxisBall& a, const AxisBall& b) { return a.depth < b.depth; });
+    std::sort(balls.begin(), balls.end(),
+              [](const AxisBall& a, const AxisBall& b) { return a.depth < b.depth; });
     return balls;
 }
 
@@ -151,7 +157,8 @@ std::optional<StandardView> axis_ball_at(const Camera& camera, const Vec2& size,
     return found;
 }
 
-void paint_axis_balls(QPainter& painter, const Camera& camera, const Vec2& size, const std::optional<StandardView>& hovered) {
+void paint_axis_balls(QPainter& painter, const Camera& camera, const Vec2& size,
+                      const std::optional<StandardView>& hovered) {
     const Vec2 middle(size.x() - cross_margin, cross_margin);
     QFont font = painter.font();
     font.setPixelSize(11);

@@ -40,6 +40,7 @@ struct AxisBall {
 /// Back to front.
 std::vector<AxisBall> axis_balls(const Camera& camera, const Vec2& size);
 std::optional<StandardView> axis_ball_at(const Camera& camera, const Vec2& size, const Vec2& pixel);
-void paint_axis_balls(QPainter& painter, const Camera& camera, const Vec2& size, const std::optional<StandardView>& hovered);
+void paint_axis_balls(QPainter& painter, const Camera& camera, const Vec2& size,
+                      const std::optional<StandardView>& hovered);
 
 }  // namespace sinew::modeler

@@ -16,7 +16,8 @@ bool ReferencePicture::load(const QString& path) {
     return true;
 }
 
-void paint_reference(QPainter& painter, const ReferencePictures& pictures, const Camera& camera, const Screen& screen) {
+void paint_reference(QPainter& painter, const ReferencePictures& pictures, const Camera& camera,
+                     const Screen& screen) {
     const Mat3 axes = axes_of(camera);
     int axis = 0;
     if (axes.col(2).cwiseAbs().maxCoeff(&axis) < 1 - 1e-6) return;

@@ -17,7 +17,7 @@ namespace sinew::modeler {
 struct ReferencePicture {
     QString file;
     QImage image;
-    double height = 4;     ///< in the document's units
+    double height = 4;  ///< in the document's units
     double opacity = 0.5;
 
     bool load(const QString& path);  ///< false where it is no picture that can be read
@@ -27,6 +27,7 @@ struct ReferencePicture {
 using ReferencePictures = std::array<ReferencePicture, 3>;
 
 /// Paints the picture of the axis that the camera looks along; nothing from any other direction.
-void paint_reference(QPainter& painter, const ReferencePictures& pictures, const Camera& camera, const Screen& screen);
+void paint_reference(QPainter& painter, const ReferencePictures& pictures, const Camera& camera,
+                     const Screen& screen);
 
 }  // namespace sinew::modeler

@@ -47,8 +47,8 @@ Colour colour_of(const Node& node, const GlyphColours& colours) {
     return node.type == NodeType::sphere ? colours.node : colours.special;
 }
 
-Glyphs scene_glyphs(const Document& document, const Glyphing& glyphs, const Selection& selection, const Hit& hovered,
-                    std::uint8_t alpha) {
+Glyphs scene_glyphs(const Document& document, const Glyphing& glyphs, const Selection& selection,
+                    const Hit& hovered, std::uint8_t alpha) {
     Glyphs scene;
     const Painter painter{selection, hovered, {}};
     const std::vector<Mat3> images = images_of(document.symmetry);

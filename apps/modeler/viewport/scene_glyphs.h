@@ -1,5 +1,6 @@
 /// @file scene_glyphs.h
-/// What the viewport shows of a document: glyphs in the colours of their state, the mirror's plane and the ground.
+/// What the viewport shows of a document: glyphs in the colours of their state, the mirror's plane and the
+/// ground.
 #pragma once
 
 #include "document/glyph.h"
@@ -25,8 +26,8 @@ Colour colour_of(const Node& node, const GlyphColours& colours = {});
 
 /// @param hovered  brightened; may be nothing
 /// @param alpha    of all of them; ghosts fade further
-Glyphs scene_glyphs(const Document& document, const Glyphing& glyphs, const Selection& selection, const Hit& hovered,
-                    std::uint8_t alpha = 255);
+Glyphs scene_glyphs(const Document& document, const Glyphing& glyphs, const Selection& selection,
+                    const Hit& hovered, std::uint8_t alpha = 255);
 
 /// The green plane of a mirror, large enough for the model.
 std::optional<PlaneMark> mirror_plane(const Document& document, float reach);

@@ -52,14 +52,16 @@ void SceneView::update_planes(const Model& model, const ViewSettings& view) {
     planes_grid_ = view.grid;
 }
 
-void SceneView::draw(const Model& model, Interaction& tools, const ViewSettings& view, const Camera& camera, int width,
-                     int height, double pixel_ratio) {
+void SceneView::draw(const Model& model, Interaction& tools, const ViewSettings& view, const Camera& camera,
+                     int width, int height, double pixel_ratio) {
     const bool mesh = view.live && mesh_ && mesh_->buffers;
     const bool inside = mesh && view.opacity < 1;
     tools.glyph_scale = mesh ? glyph_scale_in_mesh : 1;
     update_glyphs(model, tools, inside);
     update_planes(model, view);
 
+    glDepthMask(GL_TRUE);
+    glClear(GL_DEPTH_BUFFER_BIT);
     DrawOptions options;
     options.shading = view.shading;
     options.opacity = static_cast<float>(view.opacity);

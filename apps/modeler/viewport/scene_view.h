@@ -22,10 +22,10 @@ class SceneView {
 
     void set_mesh(std::shared_ptr<const LiveMesh> mesh);
 
-    /// Uploads what has changed and draws; the framebuffer is bound and cleared.
+    /// Uploads what has changed and draws over what the bound framebuffer shows; its depth is cleared first.
     /// @param width, height  in pixels of the device
-    void draw(const Model& model, Interaction& tools, const ViewSettings& view, const Camera& camera, int width, int height,
-              double pixel_ratio);
+    void draw(const Model& model, Interaction& tools, const ViewSettings& view, const Camera& camera,
+              int width, int height, double pixel_ratio);
 
   private:
     /// What the glyphs on the card were made from.
@@ -37,7 +37,8 @@ class SceneView {
         bool inside = false;
         bool operator==(const GlyphKey& other) const;
     };
-    SceneView(GlScene&& surface, GlScene&& skeleton) : surface_(std::move(surface)), skeleton_(std::move(skeleton)) {}
+    SceneView(GlScene&& surface, GlScene&& skeleton)
+        : surface_(std::move(surface)), skeleton_(std::move(skeleton)) {}
     void update_glyphs(const Model& model, Interaction& tools, bool inside);
     void update_planes(const Model& model, const ViewSettings& view);
 

@@ -1,10 +1,11 @@
 #include "viewport/viewport.h"
 
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QPainter>
-#include <epoxy/gl.h>
+#include <cmath>
 
 #include "viewport/navigation.h"
 #include "viewport/overlay.h"
@@ -14,8 +15,8 @@
 namespace sinew::modeler {
 namespace {
 
-const double click_reach = 4;      ///< pixels that the right button may move and still open the menu
-const double zoom_pixels = 40;     ///< of a drag, for a notch
+const double click_reach = 4;   ///< pixels that the right button may move and still open the menu
+const double zoom_pixels = 40;  ///< of a drag, for a notch
 
 Vec2 to_vec(const QPointF& p) { return {p.x(), p.y()}; }
 
@@ -56,7 +57,8 @@ Screen Viewport::screen() const { return screen_of(camera_, Vec2(width(), height
 
 Pointer Viewport::pointer() const {
     const Qt::KeyboardModifiers held = QGuiApplication::queryKeyboardModifiers();
-    return {to_vec(mapFromGlobal(QCursor::pos())), held.testFlag(Qt::ShiftModifier), held.testFlag(Qt::ControlModifier)};
+    return {to_vec(mapFromGlobal(QCursor::pos())), held.testFlag(Qt::ShiftModifier),
+            held.testFlag(Qt::ControlModifier)};
 }
 
 void Viewport::refresh() {
@@ -94,7 +96,6 @@ void Viewport::paintGL() {
     paint_reference(painter, references_, camera_, screen());
     if (scene_) {
         painter.beginNativePainting();
-        glClear(GL_DEPTH_BUFFER_BIT);
         if (mesh_changed_) scene_->set_mesh(mesh_);
         mesh_changed_ = false;
         const double ratio = devicePixelRatioF();
@@ -167,7 +168,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     const Drag ended = drag_;
     if (event->buttons() == Qt::NoButton) drag_ = Drag::none;
     if (pressed_ball_) {
-        if (axis_ball_at(camera_, screen().size(), now) == pressed_ball_) camera_ = looking(camera_, *pressed_ball_);
+        if (axis_ball_at(camera_, screen().size(), now) == pressed_ball_)
+            camera_ = looking(camera_, *pressed_ball_);
         pressed_ball_.reset();
     } else if (ended == Drag::tool && event->button() == Qt::LeftButton) {
         tools_.release(pointer_of(*event), screen());
@@ -191,16 +193,24 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 bool Viewport::gesture_key(const QKeyEvent& event) {
     if (!tools_.active()) return false;
     switch (event.key()) {
-        case Qt::Key_Escape: tools_.cancel(); return true;
-        case Qt::Key_Return:
-        case Qt::Key_Enter: tools_.finish(); return true;
-        case Qt::Key_Backspace: tools_.type('\b', screen()); return true;
-        case Qt::Key_Shift:
-        case Qt::Key_Control: tools_.move({last_, event.modifiers().testFlag(Qt::ShiftModifier),
-                                           event.modifiers().testFlag(Qt::ControlModifier)},
-                                          screen());
+        case Qt::Key_Escape:
+            tools_.cancel();
             return true;
-        default: break;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            tools_.finish();
+            return true;
+        case Qt::Key_Backspace:
+            tools_.type('\b', screen());
+            return true;
+        case Qt::Key_Shift:
+        case Qt::Key_Control:
+            tools_.move({last_, event.modifiers().testFlag(Qt::ShiftModifier),
+                         event.modifiers().testFlag(Qt::ControlModifier)},
+                        screen());
+            return true;
+        default:
+            break;
     }
     if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier) || event.text().isEmpty()) return false;
     return tools_.type(event.text().front().toLatin1(), screen());
@@ -240,9 +250,12 @@ void Viewport::focusOutEvent(QFocusEvent* event) {
 
 void Viewport::update_cursor() {
     Qt::CursorShape shape = Qt::ArrowCursor;
-    if (drag_ == Drag::pan || tools_.active()) shape = Qt::SizeAllCursor;
-    else if (hovered_ball_ || tools_.hovered_handle()) shape = Qt::PointingHandCursor;
-    else if (tools_.hovered()) shape = tools_.tool == Tool::draw ? Qt::CrossCursor : Qt::PointingHandCursor;
+    if (drag_ == Drag::pan || tools_.active())
+        shape = Qt::SizeAllCursor;
+    else if (hovered_ball_ || tools_.hovered_handle())
+        shape = Qt::PointingHandCursor;
+    else if (tools_.hovered())
+        shape = tools_.tool == Tool::draw ? Qt::CrossCursor : Qt::PointingHandCursor;
     if (cursor().shape() != shape) setCursor(shape);
 }
 

@@ -33,9 +33,9 @@ class Viewport : public QOpenGLWidget {
     /// @name What the window wants to know.
     /// @{
     std::function<void(const QPoint&)> context_menu_wanted;
-    std::function<void()> changed;        ///< hovered, gesture or camera: the status line may say something else
+    std::function<void()> changed;  ///< hovered, gesture or camera: the status line may say something else
     std::function<void(const QString&)> failed;  ///< OpenGL is not to be had
-    /// @}
+                                                 /// @}
 
   protected:
     void initializeGL() override;

@@ -1,0 +1,48 @@
+/// @file properties.h
+/// All fields of what is selected: for many nodes at once, where they differ the field is empty.
+#pragma once
+
+#include <QScrollArea>
+#include <vector>
+
+#include "document/fields.h"
+#include "document/model.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+
+namespace sinew::modeler {
+
+class Properties : public QScrollArea {
+  public:
+    explicit Properties(Model& model, QWidget* parent = nullptr);
+
+  private:
+    struct Box {
+        const Field* field;
+        QDoubleSpinBox* widget;
+        QWidget* row;
+    };
+    void add_head(QFormLayout& form);
+    void add_fields(QFormLayout& form);
+    QDoubleSpinBox* make_box(const Field& field);
+    void refresh();
+    void refresh_choices();
+    void refresh_box(const Box& box);
+    void put(const Field& field, double value);
+
+    Model& model_;
+    QLabel* title_ = nullptr;
+    QLineEdit* name_ = nullptr;
+    QComboBox* type_ = nullptr;
+    QComboBox* section_ = nullptr;
+    QFormLayout* form_ = nullptr;
+    std::vector<Box> boxes_;
+    std::vector<QWidget*> rows_;
+    bool busy_ = false;
+};
+
+}  // namespace sinew::modeler

@@ -1,0 +1,258 @@
+#include "window/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QUndoView>
+
+#include "document/edits.h"
+#include "document/images.h"
+#include "panels/outliner.h"
+#include "panels/problems.h"
+#include "panels/properties.h"
+#include "panels/statistics.h"
+#include "viewport/viewport.h"
+#include "window/action_set.h"
+#include "window/command_palette.h"
+#include "window/icons.h"
+#include "window/settings.h"
+#include "window/theme.h"
+#include "window/window_host.h"
+
+namespace sinew::modeler {
+namespace {
+
+constexpr int copy_after = 1500;  ///< milliseconds without a change
+
+}  // namespace
+
+std::filesystem::path recovery_folder() {
+    return (QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/recovery")
+        .toStdString();
+}
+
+MainWindow::MainWindow()
+    : viewport_(new Viewport(model_, tools_, view_)),
+      files_(model_, *this),
+      recovery_(recovery_folder()),
+      host_(std::make_unique<WindowHost>(*this)),
+      context_(std::make_unique<Context>(Context{model_, tools_, view_, *host_})) {
+    setWindowIcon(icon("sinew-modeler"));
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    setCentralWidget(viewport_);
+    load_view_settings(view_);
+    action_set_ = std::make_unique<ActionSet>(*context_, *this, [this] { refresh(); });
+    meshes_ = std::make_unique<MeshKeeper>(model_, view_, [this](const auto& mesh) { show_mesh(mesh); });
+    make_panels();
+    make_bars();
+    make_status_line();
+    palette_ = new CommandPalette(*action_set_, *this);
+    connect_parts();
+    load_settings();
+}
+
+MainWindow::~MainWindow() {
+    meshes_.reset();
+    // Panels listen to the model and must not hear of its end.
+    delete takeCentralWidget();
+    qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
+}
+
+QDockWidget* MainWindow::add_panel(const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName("panel_" + title.toLower());
+    dock->setWidget(widget);
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void MainWindow::make_panels() {
+    outliner_ = new Outliner(model_);
+    statistics_ = new Statistics(model_);
+    problems_ = new Problems(model_);
+    auto* steps = new QUndoView(&model_.history());
+    steps->setObjectName("history");
+    steps->setEmptyLabel("As opened");
+    add_panel("Outliner", outliner_, Qt::LeftDockWidgetArea);
+    QDockWidget* history = add_panel("History", steps, Qt::LeftDockWidgetArea);
+    add_panel("Properties", new Properties(model_), Qt::RightDockWidgetArea);
+    QDockWidget* figures = add_panel("Statistics", statistics_, Qt::RightDockWidgetArea);
+    problems_dock_ = add_panel("Problems", problems_, Qt::RightDockWidgetArea);
+    tabifyDockWidget(figures, problems_dock_);
+    figures->raise();
+    resizeDocks({findChild<QDockWidget*>("panel_outliner"), history}, {560, 240}, Qt::Vertical);
+    resizeDocks({findChild<QDockWidget*>("panel_properties"), figures}, {560, 280}, Qt::Vertical);
+    resizeDocks({history, figures}, {220, 290}, Qt::Horizontal);
+    problems_->counted = [this](int count) {
+        problems_dock_->setWindowTitle(count > 0 ? QString("Problems (%1)").arg(count) : "Problems");
+    };
+}
+
+void MainWindow::make_bars() {
+    action_set_->fill(*menuBar());
+    QToolBar* bar = addToolBar("Tools");
+    bar->setObjectName("toolbar");
+    bar->setMovable(false);
+    bar->setIconSize(QSize(22, 22));
+    action_set_->fill(*bar);
+    recent_ = new QMenu("Open recent", this);
+    QMenu* file = action_set_->menu(Menu::file);
+    file->insertMenu(action_set_->find("file.save"), recent_);
+    connect(recent_, &QMenu::aboutToShow, this, [this] { refresh_recent(); });
+    QMenu* panels = action_set_->menu(Menu::view)->addMenu("Panels");
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
+}
+
+void MainWindow::make_status_line() {
+    hint_ = new QLabel;
+    hint_->setObjectName("hint");
+    selected_ = new QLabel;
+    symmetry_ = new QLabel;
+    symmetry_->setStyleSheet("color: #62c988");
+    mesh_state_ = new QLabel;
+    mesh_state_->setObjectName("mesh_state");
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addWidget(hint_, 1);
+    for (QLabel* label : {selected_, symmetry_, mesh_state_}) statusBar()->addPermanentWidget(label);
+}
+
+void MainWindow::connect_parts() {
+    host_->palette_wanted = [this] { palette_->open(); };
+    host_->rename_wanted = [this] { outliner_->rename_active(); };
+    files_.changed = [this] {
+        meshes_->set_repair(files_.measured());
+        problems_->show_reading(files_.warnings());
+        if (!model_.modified()) recovery_.drop();
+        refresh();
+    };
+    files_.message = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
+    viewport_->changed = [this] { refresh(); };
+    viewport_->context_menu_wanted = [this](const QPoint& at) {
+        const Hit& hit = tools_.hovered();
+        if (hit.kind == Hit::Kind::node && !model_.selection().contains(hit.index))
+            model_.select(selection_of(hit.index));
+        QMenu menu(this);
+        menu.setObjectName("context_menu");
+        action_set_->fill_context_menu(menu);
+        menu.exec(at);
+    };
+    viewport_->failed = [this](const QString& text) {
+        statusBar()->showMessage("Nothing can be drawn: " + text);
+    };
+    copy_timer_.setSingleShot(true);
+    copy_timer_.setInterval(copy_after);
+    connect(&copy_timer_, &QTimer::timeout, this, [this] { keep_copy(); });
+    model_.observe([this](const Changes& changes) {
+        if (changes.document && !copy_timer_.isActive()) copy_timer_.start();
+        refresh();
+    });
+    connect(&model_.history(), &QUndoStack::cleanChanged, this, [this] { refresh(); });
+}
+
+void MainWindow::start(const QString& path) {
+    model_.replace(starting_document(), true);
+    model_.select(selection_of(0));
+    const bool recovered = files_.offer_recovery(recovery_);
+    if (!recovered && !path.isEmpty()) files_.open(path);
+    host_->frame(true);
+    refresh();
+}
+
+void MainWindow::show_mesh(const std::shared_ptr<const LiveMesh>& mesh) {
+    viewport_->show_mesh(mesh);
+    statistics_->show_mesh(mesh);
+    problems_->show_mesh(mesh);
+    refresh();
+}
+
+void MainWindow::refresh() {
+    if (!meshes_) return;
+    meshes_->refresh();
+    action_set_->refresh();
+    viewport_->update();
+    hint_->setText(QString::fromStdString(tools_.active() ? tools_.hint() : describe_tool(tools_)));
+    const std::size_t count = model_.selection().nodes.size();
+    selected_->setText(
+        count == 0 ? QString() : QString("%1 of %2 selected").arg(count).arg(model_.document().nodes.size()));
+    const bool symmetric = model_.document().symmetry.kind != Symmetry::Kind::none;
+    symmetry_->setText(symmetric ? QString::fromStdString(describe(model_.document().symmetry)) : QString());
+    const auto& mesh = meshes_->mesh();
+    const bool broken = view_.live && mesh && mesh->error && mesh->error->kind != ErrorKind::cancelled;
+    mesh_state_->setText(!view_.live              ? "mesh off"
+                         : broken                 ? "<span style='color:#f0756c'>no mesh: see Problems</span>"
+                         : !meshes_->up_to_date() ? "skinning..."
+                                                  : QString("level %1").arg(view_.level));
+    refresh_title();
+}
+
+void MainWindow::refresh_title() {
+    setWindowTitle(QString("%1[*] - Skeleton Modeler").arg(files_.name()));
+    setWindowModified(model_.modified());
+    setWindowFilePath(files_.path());
+}
+
+void MainWindow::refresh_recent() {
+    recent_->clear();
+    for (const QString& path : FileKeeper::recent())
+        recent_->addAction(QFileInfo(path).fileName() + "    " + QFileInfo(path).path(), this, [this, path] {
+            if (files_.open(path)) host_->frame(true);
+        });
+    if (recent_->isEmpty()) recent_->addAction("None yet")->setEnabled(false);
+}
+
+void MainWindow::keep_copy() {
+    if (!model_.modified() && !model_.previewing()) return recovery_.drop();
+    if (auto kept = recovery_.keep(model_.before_drag(), files_.path().toStdString()); !kept)
+        statusBar()->showMessage("No copy for a crash: " + QString::fromStdString(kept.error().text()), 6000);
+    if (model_.previewing()) copy_timer_.start();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_.may_close()) return event->ignore();
+    copy_timer_.stop();
+    recovery_.drop();
+    save_settings();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QString path = event->mimeData()->urls().value(0).toLocalFile();
+    if (path.isEmpty()) return;
+    event->acceptProposedAction();
+    // A question may come up: not while the program that one dragged from waits.
+    QMetaObject::invokeMethod(
+        this,
+        [this, path] {
+            if (files_.open(path)) host_->frame(true);
+        },
+        Qt::QueuedConnection);
+}
+
+void MainWindow::load_settings() {
+    resize(1440, 900);
+    const QSettings settings;
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    restoreState(settings.value("window/state").toByteArray());
+}
+
+void MainWindow::save_settings() {
+    QSettings settings;
+    settings.setValue("window/geometry", saveGeometry());
+    settings.setValue("window/state", saveState());
+    save_view_settings(view_);
+}
+
+}  // namespace sinew::modeler

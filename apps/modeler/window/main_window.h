@@ -1,0 +1,86 @@
+/// @file main_window.h
+/// Puts the parts together: viewport, panels, menus, files. What each does it does itself.
+#pragma once
+
+#include <QMainWindow>
+#include <QTimer>
+#include <memory>
+
+#include "actions/action.h"
+#include "document/model.h"
+#include "document/view_settings.h"
+#include "tools/interaction.h"
+#include "window/file_keeper.h"
+#include "window/mesh_keeper.h"
+
+class QLabel;
+
+namespace sinew::modeler {
+
+class ActionSet;
+class CommandPalette;
+class Outliner;
+class Problems;
+class Statistics;
+class Viewport;
+class WindowHost;
+
+class MainWindow : public QMainWindow {
+  public:
+    MainWindow();
+    ~MainWindow() override;
+
+    /// Opens a file, or starts anew where there is none.
+    void start(const QString& path);
+
+    Model& model() { return model_; }
+    Interaction& tools() { return tools_; }
+    ViewSettings& view() { return view_; }
+    Viewport& viewport() { return *viewport_; }
+    FileKeeper& files() { return files_; }
+    MeshKeeper& meshes() { return *meshes_; }
+    ActionSet& actions() { return *action_set_; }
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void make_panels();
+    void make_bars();
+    void make_status_line();
+    void connect_parts();
+    QDockWidget* add_panel(const QString& title, QWidget* widget, Qt::DockWidgetArea area);
+    void show_mesh(const std::shared_ptr<const LiveMesh>& mesh);
+    void refresh();  ///< after an action or a gesture: what is enabled, what the lines say
+    void refresh_title();
+    void refresh_recent();
+    void keep_copy();
+    void load_settings();
+    void save_settings();
+
+    Model model_;
+    Interaction tools_{model_};
+    ViewSettings view_;
+    Viewport* viewport_;
+    FileKeeper files_;
+    Recovery recovery_;
+    std::unique_ptr<WindowHost> host_;
+    std::unique_ptr<Context> context_;
+    std::unique_ptr<ActionSet> action_set_;
+    std::unique_ptr<MeshKeeper> meshes_;
+    CommandPalette* palette_ = nullptr;
+    Outliner* outliner_ = nullptr;
+    Statistics* statistics_ = nullptr;
+    Problems* problems_ = nullptr;
+    QDockWidget* problems_dock_ = nullptr;
+    QMenu* recent_ = nullptr;
+    QLabel *hint_ = nullptr, *selected_ = nullptr, *symmetry_ = nullptr, *mesh_state_ = nullptr;
+    QTimer copy_timer_;  ///< from a change to the copy that would survive a crash
+};
+
+/// Where copies for the case of a crash are kept.
+std::filesystem::path recovery_folder();
+
+}  // namespace sinew::modeler

@@ -1,0 +1,157 @@
+#include "window/window_host.h"
+
+#include <QFileInfo>
+#include <QStatusBar>
+
+#include "document/edits.h"
+#include "sinew/skeleton/graph.h"
+#include "viewport/navigation.h"
+#include "viewport/viewport.h"
+#include "window/dialogs.h"
+#include "window/export_dialog.h"
+#include "window/main_window.h"
+#include "window/shortcut_sheet.h"
+#include "window/type_menu.h"
+
+namespace sinew::modeler {
+namespace {
+
+/// The bones that a new node goes on: between selected nodes; that to the parent, for one node alone.
+std::vector<std::int32_t> bones_of_selection(const Document& document, const Selection& selection) {
+    std::vector<std::int32_t> found;
+    const std::vector<Bone> bones = bones_of(document);
+    for (std::int32_t b = 0; b < std::ssize(bones); ++b) {
+        const bool between = selection.contains(bones[b][0]) && selection.contains(bones[b][1]);
+        const bool to_parent = selection.nodes.size() == 1 && bones[b][1] == selection.active &&
+                               document.nodes[selection.active].parent == bones[b][0];
+        if (between || to_parent) found.push_back(b);
+    }
+    return found;
+}
+
+}  // namespace
+
+WindowHost::WindowHost(MainWindow& window) : window_(window) {}
+
+void WindowHost::new_document() {
+    if (window_.files().new_document()) frame(true);
+}
+
+void WindowHost::open() {
+    if (window_.files().open()) frame(true);
+}
+
+bool WindowHost::save() { return window_.files().save(); }
+
+bool WindowHost::save_as() { return window_.files().save_as(); }
+
+void WindowHost::import() {
+    if (window_.files().import()) frame(true);
+}
+
+void WindowHost::export_mesh() {
+    const QString written = sinew::modeler::export_mesh(&window_, window_.model().document(),
+                                                        window_.meshes().options(), window_.files().path());
+    if (!written.isEmpty()) message("Exported " + QFileInfo(written).fileName().toStdString());
+}
+
+void WindowHost::grow() {}
+
+void WindowHost::reference_pictures() {
+    ask_reference_pictures(&window_, window_.viewport().references(),
+                           [this] { window_.viewport().update(); });
+}
+
+void WindowHost::quit() { window_.close(); }
+
+void WindowHost::start(Modal modal) { window_.viewport().start(modal); }
+
+void WindowHost::insert_node() {
+    Model& model = window_.model();
+    const Hit& hit = window_.tools().hovered();
+    if (hit.kind == Hit::Kind::bone) {
+        Edited edit = insert_on_bone(model.document(), hit.index, hit.along);
+        return model.apply("Insert", std::move(edit.document), std::move(edit.selection));
+    }
+    const std::vector<std::int32_t> bones = bones_of_selection(model.document(), model.selection());
+    if (bones.empty()) return message("Point at a bone, or select a node below one");
+    Document next = model.document();
+    std::vector<std::int32_t> fresh;
+    // Inserting keeps the order of the bones but for the new ones, so work from ends that stay: the pair of
+    // nodes.
+    for (const Bone& pair : [&] {
+             std::vector<Bone> pairs;
+             for (std::int32_t b : bones) pairs.push_back(bones_of(model.document())[b]);
+             return pairs;
+         }()) {
+        const std::vector<Bone> now = bones_of(next);
+        const auto place = std::find(now.begin(), now.end(), pair);
+        Edited edit = insert_on_bone(std::move(next), static_cast<std::int32_t>(place - now.begin()), 0.5);
+        next = std::move(edit.document);
+        fresh.push_back(edit.selection.active);
+    }
+    model.apply("Insert", std::move(next), selection_of(fresh));
+}
+
+void WindowHost::rename_active() {
+    if (rename_wanted) rename_wanted();
+}
+
+void WindowHost::edit_radial_symmetry() {
+    const auto wanted = ask_radial_symmetry(&window_, window_.model().document().symmetry);
+    if (!wanted) return;
+    Document next = window_.model().document();
+    next.symmetry = *wanted;
+    window_.model().apply("Symmetry", std::move(next));
+}
+
+void WindowHost::type_menu() {
+    if (!type_menu_)
+        type_menu_ = new TypeMenu(&window_.viewport(), [this](NodeType type) {
+            constexpr const char* ids[] = {"type.sphere", "type.cone",     "type.hemisphere",
+                                           "type.cube",   "type.negative", "type.ball"};
+            Context context{window_.model(), window_.tools(), window_.view(), *this};
+            find_action(ids[static_cast<int>(type)])->run(context);
+        });
+    const Vec2 at = window_.viewport().pointer().pixel;
+    type_menu_->open(QPoint(static_cast<int>(at.x()), static_cast<int>(at.y())));
+}
+
+void WindowHost::look_from(StandardView view) {
+    window_.viewport().set_camera(looking(window_.viewport().camera(), view));
+}
+
+void WindowHost::toggle_perspective() {
+    Camera camera = window_.viewport().camera();
+    const bool perspective = camera.projection == Projection::perspective;
+    camera.projection = perspective ? Projection::orthographic : Projection::perspective;
+    window_.viewport().set_camera(camera);
+}
+
+void WindowHost::frame(bool all) {
+    const Model& model = window_.model();
+    const Selection nodes =
+        all || model.selection().empty() ? all_nodes(model.document()) : model.selection();
+    Bounds box = bounds_of(model.document(), nodes.nodes);
+    const Vec2 size(window_.viewport().width(), window_.viewport().height());
+    // A single node fills the view poorly: leave room to draw in.
+    if (!box.isEmpty() && nodes.nodes.size() == 1) {
+        const Vec3f middle = box.center(), half = 3 * (box.max() - middle);
+        box = Bounds(Vec3f(middle - half), Vec3f(middle + half));
+    }
+    window_.viewport().set_camera(framed(window_.viewport().camera(), box, size));
+}
+
+void WindowHost::command_palette() {
+    if (palette_wanted) palette_wanted();
+}
+
+void WindowHost::shortcut_sheet() { ShortcutSheet(&window_).exec(); }
+
+void WindowHost::about() { show_about(&window_); }
+
+void WindowHost::message(const std::string& text) {
+    window_.statusBar()->showMessage(QString::fromStdString(text), 6000);
+}
+
+}  // namespace sinew::modeler

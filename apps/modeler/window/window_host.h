@@ -1,0 +1,45 @@
+/// @file window_host.h
+/// What actions ask of the window.
+#pragma once
+
+#include "actions/action.h"
+
+namespace sinew::modeler {
+
+class MainWindow;
+class TypeMenu;
+
+class WindowHost : public Host {
+  public:
+    explicit WindowHost(MainWindow& window);
+
+    void new_document() override;
+    void open() override;
+    bool save() override;
+    bool save_as() override;
+    void import() override;
+    void export_mesh() override;
+    void grow() override;
+    void reference_pictures() override;
+    void quit() override;
+    void start(Modal modal) override;
+    void insert_node() override;
+    void rename_active() override;
+    void edit_radial_symmetry() override;
+    void type_menu() override;
+    void look_from(StandardView view) override;
+    void toggle_perspective() override;
+    void frame(bool all) override;
+    void command_palette() override;
+    void shortcut_sheet() override;
+    void about() override;
+    void message(const std::string& text) override;
+
+    std::function<void()> palette_wanted, rename_wanted;
+
+  private:
+    MainWindow& window_;
+    TypeMenu* type_menu_ = nullptr;
+};
+
+}  // namespace sinew::modeler
