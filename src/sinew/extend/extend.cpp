@@ -7,7 +7,8 @@
 namespace sinew {
 namespace {
 
-/// Two cones that look at each other have no tube to stand on: a ring of the mean of their radii goes between.
+/// Two cones that look at each other have no tube to stand on: a ring of the mean of their radii goes
+/// between.
 void part_double_cones(PlainBuilder& builder, Plain& plain) {
     for (std::int32_t b = 0; b < static_cast<std::int32_t>(plain.bones.size()); ++b) {
         const auto [from, to] = plain.bones[b];

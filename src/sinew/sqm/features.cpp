@@ -137,15 +137,14 @@ class FeatureWriter {
                 continue;
             }
             const std::int32_t at = end == 0 ? 0 : rings - 1;
-            if (d_.stations.stations[first + at].shape == RingShape::outline &&
-                !d_.stations.stations[first + at].corners) {
+            const BoneKind kind = d_.skeleton.bone_kind[n_.bones(p)[end == 0 ? 0 : n_.nodes(p).size() - 2]];
+            if (kind == BoneKind::tube && d_.stations.stations[first + at].shape == RingShape::outline) {
                 joint_ring_of_path(d_, p, end, joint_ring);
                 for (int c = 0; c < 4; ++c) {
                     const std::int32_t column = corner_column(d_.stations.corner[p], c, n);
                     crease(joint_ring[column], vertex(p, at, column), infinite);
                 }
-            } else if (d_.skeleton.bone_kind[n_.bones(p)[end == 0 ? 0 : n_.nodes(p).size() - 2]] ==
-                       BoneKind::body) {
+            } else if (kind == BoneKind::body) {
                 plane(middle, normal, faces(end == 0 ? b_.path_face[p] : b_.path_face[p + 1] - n, n));
             }
         }

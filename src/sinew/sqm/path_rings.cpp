@@ -52,6 +52,9 @@ class RingPlacer {
             if (is_fixed(i)) return false;
             const Vec3 from = w_.position(i) - side.centre;
             const double r = w_.radius(i);
+            if (const Form* body = w_.points.body[side.joint]; body && body->kind != Form::Kind::blend)
+                return from.norm() <
+                       exit_of_joint(w_.n, w_.points, side.joint, side.centre, from.normalized());
             return from.dot(axis) - lean(i) < side.reach + 0.1 * r && from.norm() < side.farthest + 0.1 * r;
         };
         const std::int32_t last = w_.count() - 1;
@@ -204,6 +207,7 @@ class RingPlacer {
 
     /// Whether a bone begins, at this node, at a joint's own ring or at the place where a body lets it out.
     bool leaves_joint(std::int32_t i, bool at_near) const {
+        if (w_.form(i) && w_.form(i)->kind == Form::Kind::box) return false;  // a beam that goes on flush
         if (!w_.closed && (at_near ? i == 0 && w_.near.any() : i == w_.count() - 1 && w_.far.any()))
             return true;
         if (!is_fixed(i) || w_.form(i)->section != Section::round) return false;
