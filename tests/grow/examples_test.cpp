@@ -1,10 +1,11 @@
-// Every file of examples/lsystems grows, and none of its beginnings does harm.
+// Every file of examples/lsystems grows, and none of its beginnings does harm; the manual speaks the truth.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "grow/grow_testing.h"
+#include "sinew/grow/turtle_symbols.h"
 
 namespace sinew {
 namespace {
@@ -57,6 +58,36 @@ TEST(Examples, EveryPrefixGrowsOrSaysWhere) {
             EXPECT_TRUE(error.column >= 1 && error.column <= static_cast<std::int64_t>(length) + 1)
                 << error.text();
         }
+    }
+}
+
+/// The first block of indented lines after a line.
+std::string block_after(const std::string& text, const std::string& line) {
+    std::stringstream rest(text.substr(text.find(line) + line.size()));
+    std::string block;
+    for (std::string one; std::getline(rest, one);) {
+        if (!one.empty() && one[0] != ' ') break;
+        block += one.size() > 4 ? one.substr(4) + "\n" : "\n";
+    }
+    return block;
+}
+
+TEST(Manual, ShowsAnExampleThatGrows) {
+    const std::string manual = content(SINEW_MANUAL);
+    std::string tree = block_after(manual, "## A first tree\n");
+    EXPECT_EQ(sinew::testing::grown(tree).nodes.size(), 128u);
+    tree.replace(tree.find("+(spread"), 8, "+(spraed");
+    const std::string error = parse_grammar(tree.substr(1), "tree.lsys").error().text();
+    EXPECT_NE(manual.find(error), std::string::npos) << error;
+}
+
+TEST(Manual, ExplainsEverySymbol) {
+    const std::string manual = content(SINEW_MANUAL);
+    for (const auto& symbol : lsystem::turtle_symbols()) {
+        std::string text = "`";
+        text += symbol.symbol;
+        if (text == "`|") text = "<code>&#124;";
+        EXPECT_NE(manual.find(text), std::string::npos) << symbol.symbol;
     }
 }
 
