@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "cli/interrupt.h"
 #include "sinew/io/files.h"
@@ -12,11 +11,10 @@
 namespace sinew::cli {
 namespace {
 
-/// Waiting for standard input may be broken off at any time.
+/// Reading may be broken off at any time.
 template <class Read>
-auto read_from(const Job& job, const Read& read) {
-    std::optional<InterruptsEndProgram> waiting;
-    if (job.input == "-") waiting.emplace();
+auto interruptibly(const Read& read) {
+    const InterruptsEndProgram meanwhile;
     return read();
 }
 
@@ -95,21 +93,18 @@ Result<bool> is_mesh(const Job& job, const FileOptions& files) {
 Result<ReadSkeleton> read_input_skeleton(Session& session, const Job& job, const FileOptions& files,
                                          bool validate) {
     const ReadOptions options{.format = files.from, .strict = session.strict, .validate = validate};
-    auto read = read_from(job, [&] { return read_skeleton(job.input, options); });
+    auto read = interruptibly([&] { return read_skeleton(job.input, options); });
     if (!read) return read;
-    if (const auto on = heed_interrupt(); !on) return fail(on.error());
     if (const auto told = session.warn(job.input, read->warnings); !told) return fail(told.error());
     return read;
 }
 
 Result<QuadMesh> read_input_mesh(const Job& job, const FileOptions& files) {
-    auto mesh = read_from(job, [&] { return read_mesh(job.input, files.from); });
-    if (const auto on = heed_interrupt(); !on) return fail(on.error());
-    return mesh;
+    return interruptibly([&] { return read_mesh(job.input, files.from); });
 }
 
 Result<std::string> read_input_text(const Job& job) {
-    return read_from(job, [&] { return read_file(job.input); });
+    return interruptibly([&] { return read_file(job.input); });
 }
 
 Result<void> check_mesh_output(const Job& job, const FileOptions& files) {

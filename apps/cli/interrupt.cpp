@@ -1,6 +1,9 @@
 #include "cli/interrupt.h"
 
 #include <signal.h>
+#include <unistd.h>
+
+#include <string_view>
 
 namespace sinew::cli {
 namespace {
@@ -9,6 +12,12 @@ std::atomic<bool> flag = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
 
 void note_signal(int) { flag.store(true, std::memory_order_relaxed); }
+
+void end_program(int) {
+    constexpr std::string_view words = "sinew: stopped on request\n";
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, words.data(), words.size());
+    _exit(3);
+}
 
 void handle_with(void (*handler)(int)) {
     struct sigaction action {};
@@ -25,7 +34,7 @@ void catch_interrupts() { handle_with(note_signal); }
 
 const std::atomic<bool>& interrupted() { return flag; }
 
-InterruptsEndProgram::InterruptsEndProgram() { handle_with(SIG_DFL); }
+InterruptsEndProgram::InterruptsEndProgram() { handle_with(end_program); }
 
 InterruptsEndProgram::~InterruptsEndProgram() { handle_with(note_signal); }
 

@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <span>
+
 #include "sinew/io/files.h"
 
 namespace sinew::cli {
 namespace {
+
+constexpr std::size_t most_pairs = 1000;  // a mesh all in knots has millions
 
 /// "3 (edges 4-7, 7-9 ...)"
 template <class Place, class Name>
@@ -142,7 +147,8 @@ Json mesh_json(const MeshReport& report, const std::optional<SkeletonFacts>& ske
     json.update(measures_json(report.measures));
     if (report.intersections) {
         json["self_intersections"] = report.intersections->size();
-        json["intersecting_pairs"] = *report.intersections;
+        const std::size_t listed = std::min(report.intersections->size(), most_pairs);
+        json["intersecting_pairs"] = std::span(*report.intersections).first(listed);
     }
     if (skeleton && skeleton->plain) json["irregular_at_most"] = skeleton->irregular;
     if (const auto& d = report.deviation)

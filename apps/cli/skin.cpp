@@ -83,7 +83,7 @@ std::string wrong_sides(const std::string& text) {
     const bool digits =
         !text.empty() && text.size() < 5 && text.find_first_not_of("0123456789") == std::string::npos;
     if (text == "auto" || (digits && std::stoi(text) >= 4 && std::stoi(text) <= 1024)) return {};
-    return "give auto or a number from 4 to 1024";
+    return fmt::format("'{}' is neither auto nor a number from 4 to 1024", text);
 }
 
 }  // namespace
