@@ -8,6 +8,7 @@
 #include "cli/files.h"
 #include "sinew/io/files.h"
 #include "sinew/sqm/skin.h"
+#include "sinew/subdivide/subdivide.h"
 
 namespace sinew::cli {
 namespace {
@@ -20,6 +21,8 @@ constexpr const char* examples = R"(Examples:
 
 Needs no display and no graphics card: it draws through EGL, with Mesa's software driver where there is no other.)";
 
+const GlyphStyle inner_bones{.radius_factor = 0.3F};  // they fit into the mesh
+
 struct RenderCommand {
     FileOptions files;
     std::string bones;
@@ -29,9 +32,11 @@ struct RenderCommand {
     std::string background = "EEEFF1";
     bool wire = false, skeleton = false, irregular = false, creases = false;
     double opacity = -1;
+    int levels = 0;
     int sheet = 0;
 
     RenderOptions options() const;
+    Result<QuadMesh> mesh(Session& session, const Job& job, Scene& scene) const;
     Result<Scene> scene(Session& session, const Job& job) const;
     Result<Picture> picture(Session& session, const Job& job) const;
     Result<Outcome> work(Session& session, const Job& job) const;
@@ -87,26 +92,34 @@ RenderOptions RenderCommand::options() const {
     return options;
 }
 
-Result<Scene> RenderCommand::scene(Session& session, const Job& job) const {
-    Scene scene;
+/// The mesh to draw: that of the file, or that of the skeleton in it, whose bones go into the scene if
+/// wanted.
+Result<QuadMesh> RenderCommand::mesh(Session& session, const Job& job, Scene& scene) const {
     const auto kind = is_mesh(job, files);
     if (!kind) return fail(kind.error());
-    if (*kind) {
-        const auto mesh = read_input_mesh(job, files);
-        if (!mesh) return fail(mesh.error());
-        scene.mesh = mesh_buffers(*mesh);
-    } else {
-        const auto read = read_input_skeleton(session, job, files);
-        if (!read) return fail(read.error());
-        const auto made = skin(read->document, {.repair = read->measured}, session.progress(0, 0.5));
-        if (!made) return fail(made.error());
-        scene.mesh = mesh_buffers(made->mesh);
-        if (skeleton) scene.glyphs = make_glyphs(read->document, {.radius_factor = 0.3F});
-    }
+    if (*kind) return read_input_mesh(job, files);
+
+    const auto read = read_input_skeleton(session, job, files);
+    if (!read) return fail(read.error());
+    const Fit fit = levels > 0 ? Fit::limit : Fit::control;
+    auto made = skin(read->document, {.fit = fit, .repair = read->measured}, session.progress(0, 0.4));
+    if (!made) return fail(made.error());
+    if (skeleton) scene.glyphs = make_glyphs(read->document, inner_bones);
+    return std::move(made->mesh);
+}
+
+Result<Scene> RenderCommand::scene(Session& session, const Job& job) const {
+    Scene scene;
+    auto drawn = mesh(session, job, scene);
+    if (!drawn) return fail(drawn.error());
+    if (levels > 0)
+        drawn = subdivide(*drawn, {.levels = levels, .detect_poles = true}, session.progress(0.4, 0.6));
+    if (!drawn) return fail(drawn.error());
+    scene.mesh = mesh_buffers(*drawn);
     if (!bones.empty()) {
         const auto read = read_skeleton(bones);
         if (!read) return fail(read.error());
-        scene.glyphs = make_glyphs(read->document, {.radius_factor = 0.3F});
+        scene.glyphs = make_glyphs(read->document, inner_bones);
     }
     return scene;
 }
@@ -196,6 +209,9 @@ void add_drawing_options(CLI::App& app, RenderCommand& command) {
     app.add_option("--opacity", command.opacity, "Of the mesh, 0 to 1 (1; 0.4 where bones are drawn)")
         ->type_name("X")
         ->check(CLI::Validator(CLI::Range(0.0, 1.0)).description(""));
+    app.add_option("--subdivide", command.levels, "Subdivide the mesh so often")
+        ->type_name("N")
+        ->check(at_least(0, 8));
     app.add_flag("--wire", command.wire, "Draw the edges of the faces");
     app.add_flag("--irregular", command.irregular, "Mark vertices of a valence other than 4");
     app.add_flag("--creases", command.creases, "Mark creases");

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "sinew/io/units.h"
+#include "sinew/subdivide/subdivide.h"
 
 namespace sinew::cli {
 namespace {
@@ -48,12 +49,12 @@ SkinOptions SkinCommand::options(bool measured) const {
             .stage = stages.at(stage)};
 }
 
-Outcome describe(const Skin& skin, const QuadMesh& mesh, const Job& job, double seconds) {
+Outcome describe(const Skin& skin, const Job& job, double seconds) {
     Outcome outcome;
     outcome.text = fmt::format("{}: {}, {} component{}, {} cycle{}, {:.2f} s\n", job.output,
-                               counts_text(mesh), skin.components, skin.components == 1 ? "" : "s",
+                               counts_text(skin.mesh), skin.components, skin.components == 1 ? "" : "s",
                                skin.cycles, skin.cycles == 1 ? "" : "s", seconds);
-    outcome.json = counts_json(mesh);
+    outcome.json = counts_json(skin.mesh);
     outcome.json["components"] = skin.components;
     outcome.json["cycles"] = skin.cycles;
     outcome.json["euler"] = 2 * skin.components - 2 * skin.cycles;
@@ -68,15 +69,20 @@ Result<Outcome> SkinCommand::work(Session& session, const Job& job) const {
     if (!read) return fail(read.error());
 
     const auto begin = std::chrono::steady_clock::now();
-    auto made = skin(read->document, options(read->measured), session.progress(0, 0.9));
+    auto made = skin(read->document, options(read->measured), session.progress(0, levels > 0 ? 0.5 : 0.9));
     if (!made) return fail(made.error());
     if (const auto told = session.warn(job.input, made->warnings); !told) return fail(told.error());
+    if (levels > 0) {
+        auto fine = subdivide(made->mesh, {.levels = levels}, session.progress(0.5, 0.9));
+        if (!fine) return fail(fine.error());
+        made->mesh = std::move(*fine);
+    }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
 
-    const auto written = write_output_mesh(made->mesh, job, files,
-                                           {.metres_a_unit = metres_in(read->document.unit).value_or(1)});
+    const double metres = metres_in(read->document.unit).value_or(1);
+    const auto written = write_output_mesh(made->mesh, job, files, {.metres_a_unit = metres});
     if (!written) return fail(written.error());
-    return describe(*made, made->mesh, job, seconds.count());
+    return describe(*made, job, seconds.count());
 }
 
 std::string wrong_sides(const std::string& text) {

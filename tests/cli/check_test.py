@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from program import CUBE_OBJ, TRIPOD, ProgramTest
+from program import CUBE_OBJ, TRIPOD, ProgramTest, tube
 
 
 class Meshes(ProgramTest):
@@ -106,8 +106,7 @@ class Skeletons(ProgramTest):
         self.assertEqual(paths, {"/nodes/1/radius", "/nodes/2/id", "/nodes/3/type"})
 
     def test_repairs_are_told(self):
-        self.write("dense.graph", "".join(f"n 0 0 {k / 10} 1\n" for k in range(100)) +
-                   "".join(f"c {k} {k + 1}\n" for k in range(99)))
+        self.write("dense.graph", tube(nodes=100, distance=0.1))
         run = self.done("check", "dense.graph")
         self.assertIn("thinned", run.stderr)
         self.assertRegex(run.stdout, r"100, \d+ after conditioning")

@@ -3,15 +3,16 @@ import json
 import os
 import resource
 import shutil
+import subprocess
 import unittest
 
-from program import CUBE_OBJ, RING_GRAPH, SINEW, TRIPOD, TUBE_GRAPH, ProgramTest
+from program import CUBE_OBJ, RING_GRAPH, SINEW, TRIPOD, ProgramTest
 
 
 class Pipes(ProgramTest):
     def test_standard_input_and_output(self):
         self.done("skin", "tube.graph", "-o", "tube.obj")
-        run = self.done("skin", "-", "--from", "graph", "-o", "-", "--to", "obj", stdin=TUBE_GRAPH)
+        run = self.done("skin", "-", "--from", "graph", "-o", "-", "--to", "obj", stdin=self.read("tube.graph"))
         self.assertEqual(run.stdout, self.read("tube.obj"))
         self.assertEqual(run.stderr, "")
 
@@ -94,7 +95,6 @@ class FailedWrites(ProgramTest):
         self.assertEqual(run.returncode, 3)
 
     def sinew_into(self, target, *words):
-        import subprocess
         return subprocess.run([str(SINEW), *words], cwd=self.folder, stdout=target, stderr=subprocess.PIPE, text=True)
 
     def test_read_only_folder(self):
@@ -112,7 +112,6 @@ class FailedWrites(ProgramTest):
             if os.geteuid() == 0:
                 os.setgid(65534)
                 os.setuid(65534)
-        import subprocess
         run = subprocess.run([str(program), "skin", "tube.graph", "-o", "locked/old.obj"], cwd=self.folder,
                              capture_output=True, text=True, preexec_fn=somebody)
         self.assertEqual(run.returncode, 2, run.stderr)

@@ -15,10 +15,15 @@ TRIPOD = {"format": "sinew", "version": 1, "unit": "mm", "nodes": [
     {"id": 2, "parent": 1, "position": [3, 0, 0], "radius": 0.3},
     {"id": 3, "parent": 1, "position": [0, 3, 0], "radius": 0.3},
     {"id": 4, "parent": 1, "position": [0, 0, 3], "radius": 0.3, "colour": "red"}]}
-TUBE_GRAPH = "n 0 0 0 1\nn 0 0 5 1\nn 0 0 10 1\nc 0 1\nc 1 2\n"
 RING_GRAPH = "n 0 0 0 1\nn 9 0 0 1\nn 9 9 0 1\nn 0 9 0 1\nc 0 1\nc 1 2\nc 2 3\nc 3 0\n"
 CUBE_OBJ = ("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
             "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n")
+
+
+def tube(nodes, distance):
+    """A straight .graph of radius 1 along z."""
+    return ("".join(f"n 0 0 {distance * k} 1\n" for k in range(nodes)) +
+            "".join(f"c {k} {k + 1}\n" for k in range(nodes - 1)))
 
 
 class ProgramTest(unittest.TestCase):
@@ -31,7 +36,7 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         self.write("tripod.sinew", json.dumps(TRIPOD))
-        self.write("tube.graph", TUBE_GRAPH)
+        self.write("tube.graph", tube(nodes=3, distance=5))
         self.write("ring.graph", RING_GRAPH)
         self.write("cube.obj", CUBE_OBJ)
 

@@ -3,7 +3,7 @@ import json
 import math
 import unittest
 
-from program import TRIPOD, ProgramTest
+from program import TRIPOD, ProgramTest, tube
 
 
 def obj(text):
@@ -45,14 +45,27 @@ class Skin(ProgramTest):
             self.assertEqual(sum(len(face) == 3 for face in faces), 2 * sides)  # a fan at each end
 
     def test_fit(self):
-        def radius(*options):
+        self.write("tube.graph", tube(nodes=13, distance=5))
+
+        def radius(*options):  # far from the ends
             vertices, _ = self.mesh_of("tube.graph", *options)
-            return max((x * x + y * y) ** 0.5 for x, y, z in vertices if 4.9 < z < 5.1)
+            return max((x * x + y * y) ** 0.5 for x, y, z in vertices if 27 < z < 33)
         self.assertAlmostEqual(radius(), 1, delta=0.001)
         for sides in (4, 5, 8):
             self.assertAlmostEqual(radius("--sides", sides, "--fit", "control"), 1, delta=0.001)
             kept = (4 + 2 * math.cos(2 * math.pi / sides)) / 6  # of a ring, in the limit of uniform cubic B-splines
             self.assertAlmostEqual(radius("--sides", sides, "--fit", "limit") * kept, 1, delta=0.02)
+
+    def test_subdivided(self):
+        """Four faces of each, a pole's valence doubles; the smooth surface has the radius without being asked."""
+        self.write("tube.graph", tube(nodes=13, distance=5))
+        _, control = self.mesh_of("tube.graph")
+        vertices, faces = self.mesh_of("tube.graph", "--subdivide", "2")
+        triangles = sum(len(face) == 3 for face in control)
+        self.assertEqual(sum(len(face) == 3 for face in faces), 4 * triangles)
+        self.assertEqual(euler_number(vertices, faces), 2)
+        radii = [(x * x + y * y) ** 0.5 for x, y, z in vertices if 20 < z < 40]
+        self.assertAlmostEqual(sum(radii) / len(radii), 1, delta=0.03)
 
     def test_stages_are_meshes(self):
         for stage in ("polyhedra", "refine", "bridge", "place"):
@@ -74,8 +87,7 @@ class Skin(ProgramTest):
         self.assertNotIn("strict.obj", self.files())
 
     def test_keep_nodes(self):
-        self.write("dense.graph", "".join(f"n 0 0 {k / 10} 1\n" for k in range(100)) +
-                   "".join(f"c {k} {k + 1}\n" for k in range(99)))
+        self.write("dense.graph", tube(nodes=100, distance=0.1))
         (thinned,) = self.objects("skin", "dense.graph", "-o", "mesh.obj")
         (kept,) = self.objects("skin", "dense.graph", "-o", "mesh.obj", "--keep-nodes")
         self.assertLess(thinned["vertices"], kept["vertices"])
@@ -88,6 +100,29 @@ class Skin(ProgramTest):
         error = said["error"]
         self.assertEqual((error["kind"], error["file"], error["path"], error["node"]),
                          ("input", "bad.sinew", "/nodes/0/radius", 1))
+
+
+class Subdivide(ProgramTest):
+    def test_cube(self):
+        """Catmull-Clark: new points of faces, edges and vertices of the unit cube are known."""
+        self.done("subdivide", "cube.obj", "-o", "fine.obj")
+        vertices, faces = obj(self.read("fine.obj"))
+        self.assertEqual((len(vertices), len(faces)), (8 + 12 + 6, 24))
+        rounded = {tuple(round(x, 5) for x in vertex) for vertex in vertices}
+        for point in ((0.22222, 0.22222, 0.22222), (0.5, 0.125, 0.125), (0.5, 0.5, 0)):
+            self.assertIn(point, rounded)
+
+    def test_levels_and_limit(self):
+        for levels in (0, 1, 3):
+            (said,) = self.objects("subdivide", "cube.obj", "-o", "fine.obj", "--levels", str(levels))
+            self.assertEqual(said["faces"], 6 * 4 ** levels)
+        self.done("subdivide", "cube.obj", "-o", "control.obj", "--levels", "0", "--limit")
+        vertices, _ = obj(self.read("control.obj"))
+        self.assertTrue(all(0.2 < x < 0.8 for vertex in vertices for x in vertex))
+
+    def test_too_many_levels(self):
+        self.refused(2, "subdivide", "cube.obj", "-o", "fine.obj", "--levels", "20", says="faces")
+        self.assertNotIn("fine.obj", self.files())
 
 
 class Convert(ProgramTest):
