@@ -31,12 +31,15 @@ class Skeleton:
         self.nodes.append(node)
         return node["id"]
 
-    def chain(self, parent, points, name=None, **tip):
-        """Adds nodes (x, y, z, radius), each the child of the one before; returns the ids. `tip`: keys of the last."""
+    def chain(self, parent, points, name=None, scale=None, **tip):
+        """Adds nodes (x, y, z, radius), each the child of the one before; returns the ids. `scale` is the keys' of all,
+        `tip` are keys of the last."""
         ids = []
         for i, (x, y, z, r) in enumerate(points):
             numbered = name and (name if len(points) == 1 else f"{name} {i + 1}")
-            keys = tip if i + 1 == len(points) else {}
+            keys = {"scale": scale} if scale else {}
+            if i + 1 == len(points):
+                keys.update(tip)
             parent = self.node(parent, (x, y, z), r, numbered, **keys)
             ids.append(parent)
         return ids
@@ -57,6 +60,9 @@ class Skeleton:
             if x == 0:
                 continue
             nodes.append({**node, "id": twin[node["id"]], "parent": twin[node["parent"]], "position": [-x, y, z]})
+            if "rotation" in node:
+                a, b, c, w = node["rotation"]
+                nodes[-1]["rotation"] = [a, -b, -c, w]
             if "name" in node:
                 nodes[node["id"] - 1]["name"], nodes[-1]["name"] = "left " + node["name"], "right " + node["name"]
         mirrored = [[twin[a], twin[b]] for a, b in self.links if [twin[a], twin[b]] != [a, b]]
