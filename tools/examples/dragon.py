@@ -3,7 +3,7 @@
 examples/dragon.sinew."""
 import math
 
-from skeleton import Skeleton, spline
+from skeleton import Skeleton, cross, mix, roll_towards, spline, unit
 
 
 def trunk(s):
@@ -43,11 +43,26 @@ def wing(s, chest):
     *_, wrist = s.chain(chest, [(0.52, -0.42, 2.32, 0.22), (1.1, 0.1, 3.05, 0.16), (1.8, 0.35, 3.6, 0.13), (2.4, -0.5, 4.35, 0.12)], "wing")
     s.node(wrist, (2.5, -1.05, 4.68), 0.05, "thumb claw", type="cone")
     fingers = [((3.95, -0.35, 5.05), (6.0, 0.6, 4.35)), ((3.7, 0.85, 4.35), (5.1, 2.2, 3.2)), ((2.9, 1.35, 3.7), (3.4, 2.7, 2.3))]
+    normal = cross(difference(fingers[0][1], s.position(wrist)), difference(fingers[2][1], s.position(wrist)))
     for i, (middle, tip) in enumerate(fingers):
-        start = s.position(wrist)
-        near = tuple(a + 0.3 * (b - a) for a, b in zip(start, middle))
-        far = tuple(0.5 * (a + b) + 0.06 * (c - a) for a, b, c in zip(middle, tip, start))
-        s.chain(wrist, [(*near, 0.075), (*middle, 0.065), (*far, 0.05), (*tip, 0.02)], f"finger {i + 1}", type="cone")
+        feather(s, wrist, f"finger {i + 1}", middle, tip, normal)
+
+
+def difference(a, b):
+    return tuple(x - y for x, y in zip(a, b))
+
+
+def feather(s, wrist, name, middle, tip, normal):
+    """A finger with skin on both sides: thin across the wing, wide in it."""
+    start = s.position(wrist)
+    points = [start, mix(start, middle, 0.3), middle, mix(middle, tip, 0.5), tip]
+    parent = wrist
+    for i, (radius, wide) in enumerate(((0.075, 1.6), (0.085, 5.6), (0.07, 7.0), (0.03, 1.0)), 1):
+        along = unit(difference(points[i], points[i - 1]))
+        if i < 4:
+            along = tuple(a + b for a, b in zip(along, unit(difference(points[i + 1], points[i]))))
+        parent = s.node(parent, points[i], radius, f"{name} {i}", scale=[wide, 0.75],
+                        roll=round(roll_towards(along, cross(normal, along)), 2), **({"type": "cone"} if i == 4 else {}))
 
 
 def main():

@@ -60,6 +60,8 @@ class Skeleton:
             if x == 0:
                 continue
             nodes.append({**node, "id": twin[node["id"]], "parent": twin[node["parent"]], "position": [-x, y, z]})
+            if "roll" in node:
+                nodes[-1]["roll"] = -node["roll"]
             if "rotation" in node:
                 a, b, c, w = node["rotation"]
                 nodes[-1]["rotation"] = [a, -b, -c, w]
@@ -98,6 +100,27 @@ def spline(points, count):
         result.append(tuple(0.5 * (2 * q + (r - p) * t + (2 * p - 5 * q + 4 * r - s) * t * t + (3 * q - p - 3 * r + s) * t ** 3)
                             for p, q, r, s in zip(a, b, c, d)))
     return result
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def unit(v):
+    length = math.sqrt(dot(v, v))
+    return tuple(x / length for x in v)
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def roll_towards(along, wide):
+    """The `roll` with which the first axis of a section of a bone lies as near to the direction `wide` as can be."""
+    z = unit(along)
+    start = (0, 1, 0) if abs(z[0]) > 0.9 else (1, 0, 0)
+    x = unit(tuple(s - dot(start, z) * c for s, c in zip(start, z)))
+    return math.degrees(math.atan2(dot(wide, cross(z, x)), dot(wide, x)))
 
 
 def turn(vector, axis, degrees):

@@ -6,7 +6,7 @@ and away from each other. The numbers are drawn from a fixed sequence, so that t
 """
 import math
 
-from skeleton import Skeleton, turn
+from skeleton import Skeleton, turn, unit
 
 
 class Sequence:
@@ -18,11 +18,6 @@ class Sequence:
     def between(self, low, high):
         self.state = (self.state * 6364136223846793005 + 1442695040888963407) % 2 ** 64
         return low + (high - low) * (self.state >> 11) / 2 ** 53
-
-
-def unit(v):
-    length = math.sqrt(sum(x * x for x in v))
-    return tuple(x / length for x in v)
 
 
 def across(v):
