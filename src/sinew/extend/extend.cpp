@@ -44,7 +44,6 @@ Plain extend(const Document& document, const CleanGraph& graph, Warnings& warnin
         if (builder.is_pit(i)) add_pit(builder, i);
     Plain plain = builder.finish();
     part_double_cones(builder, plain);
-    plain.symmetry = find_mirror(plain);
     return plain;
 }
 
