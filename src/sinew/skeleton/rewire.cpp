@@ -1,8 +1,12 @@
 #include "sinew/skeleton/rewire.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <utility>
+
+#include "sinew/skeleton/frames.h"
 
 namespace sinew {
 namespace {
@@ -97,6 +101,35 @@ void round_off_inner_tips(Document& document) {
         const bool tip = type == NodeType::cone || type == NodeType::hemisphere || type == NodeType::negative;
         if (tip && around.degree(i) != 1) type = NodeType::sphere;
     }
+    for (const auto& [a, b] : bones)  // a pit needs a surface
+        if (document.nodes[a].type == NodeType::negative && document.nodes[b].type == NodeType::negative)
+            document.nodes[a].type = NodeType::sphere;
+}
+
+bool has_axes(const Node& node) {
+    const auto& [a, b, c] = node.scale;
+    return node.type == NodeType::cube || node.section == Section::rectangular || a != b ||
+           (node.type == NodeType::ball && a != c);
+}
+
+void turn_to(Document& document, const std::vector<Bone>& bones, const Adjacency& around, std::int32_t i,
+             const Mat3& frame, double likely) {
+    Node& node = document.nodes[i];
+    node.roll = 0;
+    node.rotation.reset();
+    Mat3 turn = local_frame(document, bones, around, i).transpose() * frame;
+    if (turn(2, 2) < 0) turn *= Vec3(1, -1, -1).asDiagonal();
+    node.roll = std::atan2(turn(1, 0), turn(0, 0)) * 180 / std::numbers::pi;
+    for (const double exact : {0.0, likely, -likely, std::round(node.roll)}) {
+        if (std::abs(std::remainder(node.roll - exact, 180)) > 1e-9) continue;
+        node.roll = exact;
+        break;
+    }
+    const bool rolls = std::abs(turn(2, 2) - 1) < 1e-9;
+    if (rolls || (node.type != NodeType::cube && node.type != NodeType::ball)) return;
+    node.roll = 0;
+    node.rotation = Quat(frame);
+    if (node.rotation->w() < 0) node.rotation->coeffs() *= -1;
 }
 
 FreshIds::FreshIds(const Document& document) {

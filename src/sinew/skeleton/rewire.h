@@ -23,8 +23,19 @@ std::int32_t append_copy(Document& document, std::int32_t node, std::int64_t id)
 /// Takes out the nodes that are marked. Bones to them must be gone.
 void drop_nodes(Document& document, const std::vector<char>& gone);
 
-/// Nodes whose type is for leaves, and which are none (any more), become spheres.
+/// Nodes whose type is for leaves, and which are none (any more), become spheres; so does one of two
+/// negatives that have only each other.
 void round_off_inner_tips(Document& document);
+
+/// Does the shape of a node depend on its frame (frames.h)?
+bool has_axes(const Node& node);
+
+/// Chooses a node's roll and rotation so that its frame becomes this one, up to half turns, which no shape
+/// shows; a roll of 0, of whole degrees or of plus or minus `likely` is met exactly. Where the frame of the
+/// node can only roll (no cube or ball at a root or branch) it comes as near as that allows.
+/// @param bones, around  bones_of(document) and their adjacency
+void turn_to(Document& document, const std::vector<Bone>& bones, const Adjacency& around, std::int32_t node,
+             const Mat3& frame, double likely);
 
 /// Ids that no node has: those above the highest or, beyond 64 bits, the lowest ones that are free.
 class FreshIds {

@@ -37,7 +37,7 @@ std::pair<double, double> cosine_sine_of_turn(std::int64_t part, std::int64_t wh
     auto [cosine, sine] = eighth % 2 == 0 ? cosine_sine(rest, whole) : cosine_sine(whole - rest, whole);
     if (eighth % 2 == 1) std::swap(cosine, sine);
     for (std::int64_t quarter = eighth / 2 % 4; quarter > 0; --quarter) cosine = -std::exchange(sine, cosine);
-    return {cosine, sine};
+    return {cosine + 0.0, sine + 0.0};  // no negative zeros
 }
 
 int order_of(const Symmetry& symmetry) {
@@ -212,43 +212,16 @@ class Expansion {
         set_bones(out_.document, all);
     }
 
-    static bool is_turned(const Node& node) {
-        const auto& [a, b, c] = node.scale;
-        return node.type == NodeType::cube || node.section == Section::rectangular || a != b ||
-               (node.type == NodeType::ball && a != c);
-    }
-
     void turn_images() {
         const std::vector<Bone> bones = bones_of(out_.document);
         const Adjacency around = adjacency(static_cast<std::int32_t>(nodes().size()), bones);
         for (std::int32_t i = 0; i < std::ssize(nodes()); ++i) {
-            if (out_.power[i] == 0 || !is_turned(nodes()[i])) continue;
+            if (out_.power[i] == 0 || !has_axes(nodes()[i])) continue;
             const Mat3& transform = transforms_[out_.power[i]];
             Mat3 frame = transform * local_frame(out_.document, bones, around, out_.source[i]);
             if (transform.determinant() < 0) frame.col(0) = -frame.col(0);  // the shapes are symmetric in x
-            set_frame(nodes()[i], frame, nodes()[out_.source[i]].roll,
-                      [&] { return local_frame(out_.document, bones, around, i); });
+            turn_to(out_.document, bones, around, i, frame, nodes()[out_.source[i]].roll);
         }
-    }
-
-    /// Chooses roll and rotation so that `frame_now()` becomes `wanted`, up to half turns, which no shape
-    /// shows.
-    template <class FrameNow>
-    static void set_frame(Node& node, const Mat3& wanted, double source_roll, FrameNow&& frame_now) {
-        node.roll = 0;
-        node.rotation.reset();
-        Mat3 turn = frame_now().transpose() * wanted;
-        if (turn(2, 2) < 0) turn *= Vec3(1, -1, -1).asDiagonal();
-        node.roll = std::atan2(turn(1, 0), turn(0, 0)) * 180 / std::numbers::pi;
-        for (double exact : {0.0, source_roll, -source_roll, std::round(node.roll)})
-            if (std::abs(std::remainder(node.roll - exact, 180)) < 1e-9) {
-                node.roll = exact;
-                break;
-            }
-        if (std::abs(turn(2, 2) - 1) < 1e-9) return;
-        node.roll = 0;
-        node.rotation = Quat(wanted);
-        if (node.rotation->w() < 0) node.rotation->coeffs() *= -1;
     }
 
     const Document& drawn_;
