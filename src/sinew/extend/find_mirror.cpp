@@ -13,8 +13,9 @@ class MirrorSearch {
   public:
     MirrorSearch(const Plain& skeleton, int axis) : s_(skeleton), axis_(axis) {}
 
-    std::vector<std::int32_t> run() {
-        if (!extent_is_even()) return {};
+    /// @param flat  is every node in the plane itself?
+    std::vector<std::int32_t> run(bool flat) {
+        if (!extent_is_even(flat)) return {};
         sort_nodes();
         std::vector<std::int32_t> image;
         for (std::int32_t i = 0; i < s_.node_count(); ++i) {
@@ -40,10 +41,10 @@ class MirrorSearch {
                 form ? 1.0 + static_cast<double>(form->kind) : 0.0};
     }
     /// Most skeletons are found out at once.
-    bool extent_is_even() const {
+    bool extent_is_even(bool flat) const {
         double low = 0, high = 0;
         for (const Vec3& p : s_.position) low = std::min(low, p[axis_]), high = std::max(high, p[axis_]);
-        return low == -high && high > 0;
+        return low == -high && (high == 0) == flat;
     }
     void sort_nodes() {
         order_.resize(s_.position.size());
@@ -93,13 +94,14 @@ class MirrorSearch {
 
 Automorphism find_mirror(const Plain& skeleton) {
     Automorphism mirror;
-    for (int axis = 0; axis < 3; ++axis) {
-        mirror.image = MirrorSearch(skeleton, axis).run();
-        if (mirror.image.empty()) continue;
-        mirror.order = 2;
-        mirror.generator(axis, axis) = -1;
-        return mirror;
-    }
+    for (const bool flat : {false, true})
+        for (int axis = 0; axis < 3; ++axis) {
+            mirror.image = MirrorSearch(skeleton, axis).run(flat);
+            if (mirror.image.empty()) continue;
+            mirror.order = 2;
+            mirror.generator(axis, axis) = -1;
+            return mirror;
+        }
     return {};
 }
 
