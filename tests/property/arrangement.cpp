@@ -1,0 +1,61 @@
+#include "property/arrangement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sinew/skeleton/graph.h"
+
+namespace sinew::property {
+
+double least_angle(const Document& document) {
+    const std::vector<Bone> bones = bones_of(document);
+    std::vector<std::vector<Vec3>> directions(document.nodes.size());
+    double least = M_PI;
+    for (const Bone& bone : bones)
+        for (int end = 0; end < 2; ++end) {
+            const Vec3 along = document.nodes[bone[1 - end]].position - document.nodes[bone[end]].position;
+            if (along.norm() <= 1e-9 * document.nodes[bone[end]].radius) return 0;
+            for (const Vec3& other : directions[bone[end]])
+                least = std::min(least, std::atan2(other.cross(along).norm(), other.dot(along)));
+            directions[bone[end]].push_back(along);
+        }
+    return least;
+}
+
+bool has_room(const Document& document) {
+    const auto bones = bones_of(document);
+    return least_angle(document) > 0.35 && std::all_of(bones.begin(), bones.end(), [&](const Bone& bone) {
+               const Node &a = document.nodes[bone[0]], &b = document.nodes[bone[1]];
+               return (a.position - b.position).norm() >= 1.5 * (a.radius + b.radius);
+           });
+}
+
+bool is_own_image(const Document& document, int axis) {
+    using Place = std::array<double, 5>;
+    const auto place = [&](std::int32_t i, double sign) {
+        const Node& n = document.nodes[i];
+        Vec3 p = n.position;
+        p[axis] *= sign;
+        return Place{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0, n.radius, double(n.type == NodeType::cone)};
+    };
+    const auto places = [&](double sign) {
+        std::vector<std::array<Place, 2>> all;
+        for (std::int32_t i = 0; i < std::ssize(document.nodes); ++i)
+            all.push_back({place(i, sign), place(i, sign)});
+        for (const auto& [a, b] : bones_of(document))
+            all.push_back(
+                {std::min(place(a, sign), place(b, sign)), std::max(place(a, sign), place(b, sign))});
+        std::sort(all.begin(), all.end());
+        return all;
+    };
+    const auto drawn = places(1);
+    return drawn == places(-1) && std::adjacent_find(drawn.begin(), drawn.end()) == drawn.end();
+}
+
+bool is_flat(const Document& document, int axis) {
+    return std::all_of(document.nodes.begin(), document.nodes.end(),
+                       [&](const Node& n) { return n.position[axis] == 0; });
+}
+
+}  // namespace sinew::property

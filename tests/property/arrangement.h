@@ -1,0 +1,22 @@
+/// @file arrangement.h
+/// How a skeleton lies in space, as far as it says what may be asked of its mesh.
+#pragma once
+
+#include "sinew/skeleton/document.h"
+
+namespace sinew::property {
+
+/// The least angle between two bones at one node, in radians; 0 where a bone has no length.
+double least_angle(const Document& document);
+
+/// Whether the round cones of the bones at a node come apart somewhere: bones half as long again as the balls
+/// at their ends, and not side by side. Tubes that swallow each other have no outside to speak of.
+bool has_room(const Document& document);
+
+/// Is the skeleton its own image in the plane across an axis? Not if two of its nodes cannot be told apart.
+bool is_own_image(const Document& document, int axis);
+
+/// Are all nodes in the plane across an axis?
+bool is_flat(const Document& document, int axis);
+
+}  // namespace sinew::property

@@ -1,0 +1,18 @@
+/// @file same_shape.h
+/// Are two meshes the same surface, however their vertices and faces are numbered?
+#pragma once
+
+#include <string>
+
+#include "sinew/mesh/quad_mesh.h"
+
+namespace sinew::property {
+
+/// The mirror image in the plane across an axis, faces turned round so that they look outwards again.
+QuadMesh reflected(const QuadMesh& mesh, int axis);
+
+/// Empty if the meshes have the same faces between the same places, else what differs. Vertices no further
+/// apart than `tolerance`, as a share of the model's size, are the same place.
+std::string difference_of(const QuadMesh& a, const QuadMesh& b, double tolerance);
+
+}  // namespace sinew::property
