@@ -1,7 +1,9 @@
 #include "sinew/grow/count.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "sinew/grow/rewrite.h"
@@ -147,9 +149,9 @@ class Counter {
     using Key = std::pair<SymbolId, std::vector<double>>;
     using Level = std::map<Key, std::size_t>;
 
-    std::size_t kind_of(SymbolId symbol, const double* arguments, Level& level);
+    std::size_t kind_of(SymbolId symbol, std::span<const double> arguments, Level& level);
     std::vector<std::pair<SymbolId, std::size_t>> kinds_of(const std::vector<SymbolId>& symbols,
-                                                           const double* arguments, Level& level);
+                                                           std::span<const double> arguments, Level& level);
     void derive(const Level& from, int steps_left, Level& next, Level& last);
     Future future(const std::vector<std::pair<SymbolId, std::size_t>>& modules) const;
 
@@ -158,23 +160,29 @@ class Counter {
     std::vector<std::vector<char>> decides_;
     std::vector<Kind> kinds_;  ///< those of later steps come later
     std::vector<Future> futures_;
+    bool lost_ = false;  ///< something is not finite: growing will say where
 };
 
-std::size_t Counter::kind_of(SymbolId symbol, const double* arguments, Level& level) {
+std::size_t Counter::kind_of(SymbolId symbol, std::span<const double> arguments, Level& level) {
     Key key{symbol, {}};
-    for (std::int32_t i = 0; i < program_.symbols[symbol].arity; ++i)
-        if (decides_[symbol][i]) key.second.push_back(arguments[i]);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (!decides_[symbol][i]) continue;
+        key.second.push_back(arguments[i]);
+        lost_ = lost_ || !std::isfinite(arguments[i]);
+    }
     const auto [entry, added] = level.try_emplace(std::move(key), kinds_.size());
     if (added) kinds_.push_back({.command = program_.symbols[symbol].command});
     return entry->second;
 }
 
 std::vector<std::pair<SymbolId, std::size_t>> Counter::kinds_of(const std::vector<SymbolId>& symbols,
-                                                                const double* arguments, Level& level) {
+                                                                std::span<const double> arguments,
+                                                                Level& level) {
     std::vector<std::pair<SymbolId, std::size_t>> result;
     for (SymbolId symbol : symbols) {
-        result.emplace_back(symbol, kind_of(symbol, arguments, level));
-        arguments += program_.symbols[symbol].arity;
+        const auto arity = static_cast<std::size_t>(program_.symbols[symbol].arity);
+        result.emplace_back(symbol, kind_of(symbol, arguments.first(arity), level));
+        arguments = arguments.subspan(arity);
     }
     return result;
 }
@@ -192,8 +200,8 @@ void Counter::derive(const Level& from, int steps_left, Level& next, Level& last
         if (rule < 0) rule = rewriter_.choose(symbol.finally, 0);
         if (rule < 0 || rewriter_.error()) continue;
         const Rule& chosen = program_.rules[rule];
-        auto successor =
-            kinds_of(chosen.successor, chosen.arguments ? chosen.arguments.values().data() : nullptr, level);
+        const auto arguments = chosen.arguments ? chosen.arguments.values() : std::span<const double>();
+        auto successor = kinds_of(chosen.successor, arguments, level);
         kinds_[index].successor = std::move(successor);
         kinds_[index].replaced = true;
     }
@@ -211,11 +219,11 @@ Future Counter::future(const std::vector<std::pair<SymbolId, std::size_t>>& modu
 
 std::optional<Count> Counter::run() {
     Level now, next, last;
-    const auto axiom = kinds_of(program_.axiom, program_.axiom_arguments.data(), now);
+    const auto axiom = kinds_of(program_.axiom, program_.axiom_arguments, now);
     for (int steps_left = program_.steps; !now.empty(); --steps_left) {
         // Kinds that are not replaced by a rule now never will be: only the last productions wait for them.
         derive(now, steps_left, next, last);
-        if (rewriter_.error() || kinds_.size() > most_kinds) return {};
+        if (lost_ || rewriter_.error() || kinds_.size() > most_kinds) return {};
         now = std::exchange(next, {});
     }
     futures_.resize(kinds_.size());

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "sinew/grow/derive.h"
+#include "sinew/grow/neighbourhood.h"
 #include "sinew/grow/rewrite.h"
 
 namespace sinew::lsystem {
@@ -8,115 +9,6 @@ namespace {
 
 /// The whole string is in memory, twice.
 constexpr std::int64_t modules_per_node = 16;
-
-/// A string of modules in flat arrays.
-struct Modules {
-    std::vector<SymbolId> symbols;
-    std::vector<std::size_t> first_argument;
-    std::vector<double> arguments;
-    std::vector<std::uint64_t> keys;  ///< empty where no rule draws
-
-    std::size_t size() const { return symbols.size(); }
-    void clear() { symbols.clear(), first_argument.clear(), arguments.clear(), keys.clear(); }
-};
-
-/// Who stands beside whom in a string with branches (section 1.8 of the book): the left neighbour is the next
-/// module on the way to the root, the right one is next on the same branch; side branches are passed over.
-class StringNeighbourhood : public Neighbourhood {
-  public:
-    StringNeighbourhood(const Program& program, const Modules& modules)
-        : program_(program), modules_(modules) {}
-
-    void prepare();
-    void stand_at(std::size_t module) { at_ = module; }
-    bool matches(Rule& rule) override;
-
-  private:
-    bool matches_left(Rule& rule) const;
-    bool matches_right(Rule& rule, std::size_t pattern, std::size_t at) const;
-    std::size_t end_of_branch(std::size_t open) const { return partner_[open]; }
-    bool take(Rule& rule, const ContextModule& pattern, std::size_t at) const;
-    const Symbol& symbol(std::size_t at) const { return program_.symbols[modules_.symbols[at]]; }
-
-    static constexpr std::int64_t none = -1;
-    const Program& program_;
-    const Modules& modules_;
-    std::vector<std::int64_t> left_;    ///< of each module
-    std::vector<std::size_t> partner_;  ///< of each bracket
-    std::vector<std::int64_t> ways_;    ///< left neighbours at the brackets that are open
-    std::vector<std::size_t> open_;
-    std::size_t at_ = 0;
-};
-
-void StringNeighbourhood::prepare() {
-    left_.assign(modules_.size(), none);
-    partner_.assign(modules_.size(), 0);
-    std::int64_t before = none;
-    for (std::size_t i = 0; i < modules_.size(); ++i) {
-        const Symbol& one = symbol(i);
-        left_[i] = before;
-        if (one.command == Command::push) {
-            ways_.push_back(before);
-            open_.push_back(i);
-        } else if (one.command == Command::pop) {
-            before = ways_.back();
-            partner_[i] = open_.back();
-            partner_[open_.back()] = i;
-            ways_.pop_back();
-            open_.pop_back();
-        } else if (!one.ignored) {
-            before = static_cast<std::int64_t>(i);
-        }
-    }
-}
-
-bool StringNeighbourhood::take(Rule& rule, const ContextModule& pattern, std::size_t at) const {
-    if (modules_.symbols[at] != pattern.symbol) return false;
-    std::copy_n(modules_.arguments.begin() + static_cast<std::ptrdiff_t>(modules_.first_argument[at]),
-                symbol(at).arity, rule.context_parameters.begin() + pattern.first_parameter);
-    return true;
-}
-
-bool StringNeighbourhood::matches(Rule& rule) {
-    return matches_left(rule) && matches_right(rule, 0, at_ + 1);
-}
-
-bool StringNeighbourhood::matches_left(Rule& rule) const {
-    std::int64_t at = static_cast<std::int64_t>(at_);
-    for (std::size_t i = rule.left.size(); i-- > 0;) {
-        at = left_[static_cast<std::size_t>(at)];
-        if (at == none || !take(rule, rule.left[i], static_cast<std::size_t>(at))) return false;
-    }
-    return true;
-}
-
-/// Matches rule.right from `pattern` on with the string from `at` on. A branch of the string that the pattern
-/// does not name is passed over; a branch of the pattern takes the first branch that fits.
-bool StringNeighbourhood::matches_right(Rule& rule, std::size_t pattern, std::size_t at) const {
-    while (pattern < rule.right.size()) {
-        const Command wanted = program_.symbols[rule.right[pattern].symbol].command;
-        while (at < modules_.size() && symbol(at).ignored) ++at;
-        const bool at_end = at == modules_.size() || symbol(at).command == Command::pop;
-        if (wanted == Command::pop) {  // the rest of this branch does not matter
-            int depth = 0;
-            for (; at < modules_.size() && !(symbol(at).command == Command::pop && depth == 0); ++at) {
-                if (symbol(at).command == Command::push) ++depth;
-                if (symbol(at).command == Command::pop) --depth;
-            }
-            ++at, ++pattern;
-            continue;
-        }
-        if (at_end) return false;
-        if (symbol(at).command == Command::push) {
-            if (wanted == Command::push && matches_right(rule, pattern + 1, at + 1)) return true;
-            at = end_of_branch(at) + 1;
-            continue;
-        }
-        if (wanted == Command::push || !take(rule, rule.right[pattern], at)) return false;
-        ++at, ++pattern;
-    }
-    return true;
-}
 
 class ContextDerivation {
   public:

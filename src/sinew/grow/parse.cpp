@@ -10,12 +10,10 @@
 
 #include "sinew/grow/cursor.h"
 #include "sinew/grow/formula.h"
-#include "sinew/grow/turtle_symbols.h"
+#include "sinew/grow/module_reader.h"
 
 namespace sinew::lsystem {
 namespace {
-
-constexpr std::string_view a_module = "a letter, a digit, a turtle symbol or an @word";
 
 /// Settings that are formulas, with how many.
 constexpr std::array<std::pair<std::string_view, std::size_t>, 7> formula_settings{
@@ -23,10 +21,6 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 7> formula_settin
 constexpr std::string_view all_settings =
     "%axiom, %steps, %seed, %angle, %length, %radius, %thinning, %tropism, %ignore, %modules, %unit, "
     "%symmetry, %finally";
-
-bool at_arrow(const Cursor& cursor) {
-    return cursor.rest().starts_with("->") || cursor.rest().starts_with("-->");
-}
 
 bool accept_arrow(Cursor& cursor) { return cursor.accept("->") || cursor.accept("-->"); }
 
@@ -46,17 +40,12 @@ class Reader {
     bool constant(Cursor& cursor);
     bool production(Cursor& cursor);
     bool condition(Cursor& cursor, Text& condition);
-    bool patterns(Cursor& cursor, std::vector<Pattern>& list);
-    bool parameters(Cursor& cursor, Pattern& pattern);
-    bool modules(Cursor& cursor, std::vector<Module>& list);
-    bool arguments(Cursor& cursor, Module& module);
-    bool symbol(Cursor& cursor, Text& symbol);
 
     bool is_constant(const Cursor& cursor) const;
     bool once(Cursor& cursor, const Text& word);
 
     Grammar grammar_;
-    std::vector<std::string> long_names_;
+    ModuleReader reader_;
     bool finally_ = false;
 };
 
@@ -105,7 +94,7 @@ bool Reader::setting(Cursor& cursor) {
     const Text word = cursor.name();
     if (word.empty()) return cursor.expected("the name of a setting after '%'", std::string(all_settings));
     if (!once(cursor, word)) return false;
-    if (word.text == "axiom") return modules(cursor, grammar_.axiom);
+    if (word.text == "axiom") return reader_.modules(cursor, grammar_.axiom);
     if (word.text == "ignore") return ignore(cursor);
     if (word.text == "modules") return declare_modules(cursor);
     if (word.text == "symmetry") return symmetry(cursor);
@@ -144,7 +133,7 @@ bool Reader::formulas(Cursor& cursor, Text word, std::size_t count) {
 bool Reader::ignore(Cursor& cursor) {
     while (!cursor.at_end()) {
         Text name;
-        if (!symbol(cursor, name)) return false;
+        if (!reader_.symbol(cursor, name)) return false;
         grammar_.ignored.push_back(std::move(name.text));
         cursor.accept(",");
     }
@@ -158,11 +147,9 @@ bool Reader::declare_modules(Cursor& cursor) {
     do {
         const Text name = cursor.name();
         if (name.text.size() < 2) return cursor.expected("a name of two or more letters");
-        long_names_.push_back(name.text);
+        reader_.declare(name.text);
         cursor.accept(",");
     } while (!cursor.at_end());
-    std::sort(long_names_.begin(), long_names_.end(),
-              [](const auto& a, const auto& b) { return a.size() > b.size(); });
     return true;
 }
 
@@ -214,17 +201,17 @@ bool Reader::production(Cursor& cursor) {
     result.finally = finally_;
     std::vector<Pattern> middle;
     const std::size_t begin = cursor.offset();
-    if (!patterns(cursor, middle)) return false;
+    if (!reader_.patterns(cursor, middle)) return false;
     if (cursor.accept("<")) {
         result.left = std::exchange(middle, {});
-        if (!patterns(cursor, middle)) return false;
+        if (!reader_.patterns(cursor, middle)) return false;
     }
     if (middle.size() != 1 || middle[0].symbol.text == "[" || middle[0].symbol.text == "]")
         return cursor.wrong(middle.empty() ? begin : middle[0].symbol.offset,
                             "expected one module that is replaced, neither a bracket nor several",
                             "a production is written A -> F A, a constant a = 1");
     result.predecessor = std::move(middle[0]);
-    if (cursor.accept(">") && !patterns(cursor, result.right)) return false;
+    if (cursor.accept(">") && !reader_.patterns(cursor, result.right)) return false;
     if (cursor.accept(":") && !condition(cursor, result.condition)) return false;
     if (!accept_arrow(cursor)) return cursor.expected("'->'");
     if (cursor.accept("(")) {
@@ -232,7 +219,7 @@ bool Reader::production(Cursor& cursor) {
         if (result.weight.empty()) return cursor.expected("a weight");
         if (!cursor.accept(")")) return cursor.expected("')' after the weight");
     }
-    if (!modules(cursor, result.successor)) return false;
+    if (!reader_.modules(cursor, result.successor)) return false;
     for (const Pattern& pattern : result.left)
         if (pattern.symbol.text == "[" || pattern.symbol.text == "]")
             return cursor.wrong(pattern.symbol.offset,
@@ -252,87 +239,6 @@ bool Reader::condition(Cursor& cursor, Text& condition) {
     condition = cursor.until(cursor.offset() + arrow);
     if (condition.empty()) return cursor.expected("a condition");
     if (condition.text == "*") condition.text.clear();
-    return true;
-}
-
-bool Reader::patterns(Cursor& cursor, std::vector<Pattern>& list) {
-    if (cursor.accept("*")) return true;  // as in the book: no context
-    int depth = 0;
-    while (!cursor.at_end() && !at_arrow(cursor) &&
-           std::string_view("<>:").find(cursor.peek()) == std::string_view::npos) {
-        Pattern pattern;
-        if (!symbol(cursor, pattern.symbol) || !parameters(cursor, pattern)) return false;
-        depth += pattern.symbol.text == "[" ? 1 : pattern.symbol.text == "]" ? -1 : 0;
-        if (depth < 0) return cursor.wrong(pattern.symbol.offset, "this ']' has no '[' before it");
-        list.push_back(std::move(pattern));
-    }
-    if (depth > 0) return cursor.expected("']'");
-    return !list.empty() || cursor.expected(a_module);
-}
-
-bool Reader::parameters(Cursor& cursor, Pattern& pattern) {
-    if (!cursor.accept("(")) return true;
-    do {
-        const Text name = cursor.name();
-        if (name.empty()) return cursor.expected("the name of a parameter");
-        if (is_function(name.text))
-            return cursor.wrong(name.offset, fmt::format("'{}' already has a meaning in formulas", name.text),
-                                "take another name");
-        pattern.parameters.push_back(name.text);
-    } while (cursor.accept(","));
-    return cursor.accept(")") || cursor.expected("',' or ')' after a parameter");
-}
-
-bool Reader::modules(Cursor& cursor, std::vector<Module>& list) {
-    std::vector<std::size_t> open;
-    while (!cursor.at_end()) {
-        Module module;
-        if (!symbol(cursor, module.symbol) || !arguments(cursor, module)) return false;
-        if (module.symbol.text == "[") open.push_back(module.symbol.offset);
-        if (module.symbol.text == "]") {
-            if (open.empty()) return cursor.wrong(module.symbol.offset, "this ']' has no '[' before it");
-            open.pop_back();
-        }
-        list.push_back(std::move(module));
-    }
-    return open.empty() ||
-           cursor.wrong(open.back(), "expected a ']' for this '[' before the end of the line");
-}
-
-bool Reader::arguments(Cursor& cursor, Module& module) {
-    if (!cursor.accept("(")) return true;
-    do {
-        module.arguments.push_back(cursor.formula(",)"));
-        if (module.arguments.back().empty()) return cursor.expected("a formula");
-    } while (cursor.accept(","));
-    return cursor.accept(")") ||
-           cursor.expected(fmt::format("')' after the arguments of {}", module.symbol.text));
-}
-
-bool Reader::symbol(Cursor& cursor, Text& symbol) {
-    const std::string_view rest = cursor.rest();
-    std::size_t length = 0;
-    if (rest.starts_with('@')) {
-        length = 1;
-        while (length < rest.size() && std::isalpha(static_cast<unsigned char>(rest[length]))) ++length;
-        if (!find_turtle_symbol(rest.substr(0, length))) {
-            std::string words;
-            for (const TurtleSymbol& known : turtle_symbols())
-                if (known.symbol[0] == '@') words += (words.empty() ? "" : ", ") + std::string(known.symbol);
-            return cursor.wrong(cursor.offset(), fmt::format("unknown word '{}'", rest.substr(0, length)),
-                                "there are " + words);
-        }
-    }
-    for (const std::string& name : long_names_)
-        if (length == 0 && rest.starts_with(name)) length = name.size();
-    if (length == 0 && !rest.empty() &&
-        (std::isalnum(static_cast<unsigned char>(rest[0])) || find_turtle_symbol(rest.substr(0, 1))))
-        length = 1;
-    if (length == 0 && rest.starts_with('>'))
-        return cursor.expected(a_module, "every production starts in the first column of a line of its own");
-    if (length == 0) return cursor.expected(a_module);
-    symbol = {std::string(rest.substr(0, length)), cursor.offset()};
-    cursor.advance(length);
     return true;
 }
 
