@@ -21,7 +21,6 @@ constexpr const char* examples = R"(Examples:
 
 Needs no display and no graphics card: it draws through EGL, with Mesa's software driver where there is no other.)";
 
-const GlyphStyle inner_bones{.radius_factor = 0.3F};  // they fit into the mesh
 
 struct RenderCommand {
     FileOptions files;
@@ -104,7 +103,7 @@ Result<QuadMesh> RenderCommand::mesh(Session& session, const Job& job, Scene& sc
     const Fit fit = levels > 0 ? Fit::limit : Fit::control;
     auto made = skin(read->document, {.fit = fit, .repair = read->measured}, session.progress(0, 0.4));
     if (!made) return fail(made.error());
-    if (skeleton) scene.glyphs = make_glyphs(read->document, inner_bones);
+    if (skeleton) scene.glyphs = make_glyphs(read->document, slender_glyphs);
     return std::move(made->mesh);
 }
 
@@ -119,7 +118,7 @@ Result<Scene> RenderCommand::scene(Session& session, const Job& job) const {
     if (!bones.empty()) {
         const auto read = read_skeleton(bones);
         if (!read) return fail(read.error());
-        scene.glyphs = make_glyphs(read->document, inner_bones);
+        scene.glyphs = make_glyphs(read->document, slender_glyphs);
     }
     return scene;
 }

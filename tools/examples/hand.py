@@ -16,7 +16,7 @@ def main():
     s = Skeleton(unit="cm")
     forearm = s.node(None, (0.4, 12.5, 0.1), 3.2, "forearm", type="hemisphere")
     *_, wrist = s.chain(forearm, [(0.2, 7.0, 0.05, 2.85), (0, 3.6, 0, 2.3), (0, 1.2, 0, 2.0)], "wrist", scale=[1.12, 0.86])
-    palm = s.node(wrist, (0, -4.9, 0), 2.2, "palm", type="ball", scale=[1.78, 1.9, 0.68])
+    palm = s.node(wrist, (0, -4.9, 0), 2.2, "palm", type="ball", scale=[1.78, 1.9, 0.68], rotation=[0, 0, 0, 1])
     for name, joints in FINGERS.items():
         s.chain(palm, joints, name)
     s.chain(palm, THUMB, "thumb")

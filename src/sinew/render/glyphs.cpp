@@ -55,7 +55,7 @@ ShapeGlyph glyph_of(const NodeView& view, const GlyphStyle& style) {
     const bool pointed = shape == GlyphShape::cone || shape == GlyphShape::half_sphere;
     const Mat3 frame =
         pointed && view.node.parent < 0 ? frame_about(view.outward, view.node.roll) : view.frame;
-    const Vec3 half = half_extents(view) * double(style.radius_factor * style.node_factor);
+    const Vec3 half = half_extents(view) * double(style.node_factor);
     const Eigen::Matrix3f axes = (frame * half.asDiagonal()).cast<float>();
     Vec3f origin = view.node.position.cast<float>();
     if (shape == GlyphShape::half_sphere) origin += 0.02f * axes.col(2);  // its disc lies on the bone's
@@ -95,7 +95,7 @@ Glyphs make_glyphs(const Document& document, const GlyphStyle& style) {
     Glyphs glyphs;
     for (std::int32_t i = 0; i < node_count; ++i) {
         const NodeView view = view_of(document, bones, neighbours, i);
-        const bool is_tip = view.leaf && view.node.type == NodeType::cone && style.radius_factor == 1;
+        const bool is_tip = view.leaf && view.node.type == NodeType::cone && style.bone_factor == 1;
         if (!is_tip)
             glyphs.of(shape_of(view)).push_back(glyph_of(view, style));  // at full size the bone is the cone
     }
@@ -103,9 +103,9 @@ Glyphs make_glyphs(const Document& document, const GlyphStyle& style) {
         const Node &a = document.nodes[bone[0]], &b = document.nodes[bone[1]];
         const bool leaf_a = neighbours.degree(bone[0]) == 1, leaf_b = neighbours.degree(bone[1]) == 1;
         glyphs.bones.push_back({.from = a.position.cast<float>(),
-                                .from_radius = style.radius_factor * tube_radius(a, leaf_a),
+                                .from_radius = style.bone_factor * tube_radius(a, leaf_a),
                                 .to = b.position.cast<float>(),
-                                .to_radius = style.radius_factor * tube_radius(b, leaf_b),
+                                .to_radius = style.bone_factor * tube_radius(b, leaf_b),
                                 .colour = style.bone,
                                 .from_flat = leaf_a && a.type == NodeType::hemisphere ? 1.f : 0.f,
                                 .to_flat = leaf_b && b.type == NodeType::hemisphere ? 1.f : 0.f});

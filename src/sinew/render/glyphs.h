@@ -54,14 +54,17 @@ struct Glyphs {
 };
 
 struct GlyphStyle {
-    float radius_factor = 1;    ///< 1: as large as the mesh will be; 0.3: what fits into a transparent mesh
-    float node_factor = 1.04f;  ///< the same for nodes, times this: they stand out of the bones
+    float bone_factor = 1;      ///< times the radii at its ends; 1: as thick as the mesh will be
+    float node_factor = 1.04f;  ///< times the node's own size: it stands out of its bones
     Colour bone{176, 182, 190};
     Colour node{92, 140, 200};
     Colour root{206, 64, 56};
     Colour negative{156, 84, 176};
     Colour special{222, 152, 60};  ///< cone, hemisphere, cube and ball
 };
+
+/// Beads on thin bones: what is seen well inside a transparent mesh.
+inline constexpr GlyphStyle slender_glyphs{.bone_factor = 0.16f, .node_factor = 0.32f};
 
 /// Glyphs of the nodes and bones as they are in the document: symmetry is not expanded here (do it before).
 Glyphs make_glyphs(const Document& document, const GlyphStyle& style = {});
