@@ -205,6 +205,7 @@ class Follower {
         if (pole && body && body->kind == Form::Kind::box) return 0;
         const double r = w_.s.radius[w_.n.joint_node[side.joint]];
         const bool ball = body && body->kind == Form::Kind::ball;
+        if (!pole && !ball && is_near(side, is_far ? w_.rings.back() : w_.rings.front())) return 0;
         const std::size_t angles = w_.out.angle.size() - w_.sides;
         double worst = 0;
         for (std::int32_t k = 0; k < w_.sides; ++k) {
@@ -219,6 +220,15 @@ class Follower {
                     exit_of_joint(w_.n, w_.points, side.joint, side.centre, middle / distance) - distance);
         }
         return worst > 0.45 * r ? 2 : worst > (ball ? 0.03 : 0.18) * r ? 1 : 0;
+    }
+    /// Whether no column turns by more than 70 degrees, seen from the joint: a chord of that loses 0.18 of
+    /// the radius.
+    static bool is_near(const JointSide& side, const Station& ring) {
+        const Vec3 out = ring.centre - side.centre;
+        const double height = std::abs(out.dot(ring.tangent)), slant = std::hypot(height, ring.half.x());
+        const double cosine = height / slant, sine = ring.half.x() / slant;
+        const double widest = std::sqrt(std::max(0.0, 1 - side.widest * side.widest));
+        return side.widest * cosine + widest * sine > 0.342;
     }
     Vec3 on_ring(bool is_far, double angle) const {
         const Station& ring = is_far ? w_.rings.back() : w_.rings.front();

@@ -15,6 +15,7 @@ struct JointSide {
     std::vector<std::uint32_t> ring;  ///< its points, counter-clockwise in the path's sense
     double reach = 0;                 ///< how far they go along the bone
     double farthest = 0;              ///< and from the joint's centre
+    double widest = 1;                ///< cosine of the greatest angle between one of them and the bone
 
     bool any() const { return joint >= 0; }
 };

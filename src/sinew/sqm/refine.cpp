@@ -1,5 +1,6 @@
 #include "sinew/sqm/refine.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -80,6 +81,25 @@ Regions find_regions(const Network& n) {
     return r;
 }
 
+/// Arcs with both ends in common must not be one edge each.
+bool needs_middle(const Polyhedra& p, std::int32_t joint, std::int32_t arc) {
+    const CellArc& a = p.arcs[arc];
+    for (std::int32_t b = p.arc_first[joint]; b < p.arc_first[joint + 1]; ++b) {
+        const CellArc& c = p.arcs[b];
+        const bool same = (a.from == c.from && a.to == c.to) || (a.from == c.to && a.to == c.from);
+        if (b != arc && same) return true;
+    }
+    return false;
+}
+
+/// Pieces that an arc has at least.
+std::int32_t least_pieces(const Plain& skeleton, const Network& network, const Polyhedra& p,
+                          std::int32_t joint, std::int32_t arc) {
+    const Form* form = skeleton.form(network.joint_node[joint]);
+    const bool on_ball = form && form->kind == Form::Kind::ball;
+    return needs_middle(p, joint, arc) || (on_ball && arc_length(p, p.arcs[arc]) > longest_on_ball) ? 2 : 1;
+}
+
 /// The count problem of one joint in terms of orbits under the symmetries that keep the joint in place.
 class JointProblem {
   public:
@@ -89,8 +109,6 @@ class JointProblem {
     /// Sets up the orbits of a joint; everything later refers to it.
     void take(std::int32_t joint) {
         joint_ = joint;
-        const Form* form = skeleton_.form(network_.joint_node[joint]);
-        is_ball_ = form && form->kind == Form::Kind::ball;
         turns_ = 1;  // smallest power of the generator that brings the joint back onto itself
         if (images_.any())
             for (std::int32_t j = images_.joint[joint]; j != joint; j = images_.joint[j]) ++turns_;
@@ -180,20 +198,7 @@ class JointProblem {
         out.a = left;
         out.b = left != right ? right : (arc_share_[o] > 1 ? -1 : left);
         out.length = arc_length(p_, a) / arc_factor_[o];
-        out.least =
-            (needs_middle(arc) || (is_ball_ && arc_length(p_, a) > longest_on_ball)) && arc_factor_[o] == 1
-                ? 2
-                : 1;
-    }
-
-    /// Arcs with both ends in common must not be one edge each.
-    bool needs_middle(std::int32_t arc) const {
-        const CellArc& a = p_.arcs[arc];
-        for (std::int32_t b = p_.arc_first[joint_]; b < p_.arc_first[joint_ + 1]; ++b) {
-            const CellArc& c = p_.arcs[b];
-            if (b != arc && std::minmax(a.from, a.to) == std::minmax(c.from, c.to)) return true;
-        }
-        return false;
+        out.least = arc_factor_[o] == 1 ? least_pieces(skeleton_, network_, p_, joint_, arc) : 1;
     }
 
     const Plain& skeleton_;
@@ -201,7 +206,7 @@ class JointProblem {
     const Polyhedra& p_;
     const Images& images_;
     std::int32_t joint_ = 0, turns_ = 1;
-    bool fixed_ = false, impossible_ = false, is_ball_ = false;
+    bool fixed_ = false, impossible_ = false;
     CountProblem problem_;
     std::vector<std::int32_t> cell_orbit_, arc_orbit_, cell_share_, arc_share_, arc_factor_;
 };
@@ -248,6 +253,7 @@ class Refiner {
         step_.assign(n_.path_count(), 1);
         for (std::int32_t p = 0; p < n_.path_count(); ++p)
             if (corners_[p]) step_[p] = 4;
+        if (!images_.any()) return least_without_symmetry();
         JointProblem joint(skeleton_, n_, p_, images_);
         for (std::int32_t j = 0; j < n_.joint_count(); ++j) {
             joint.take(j);
@@ -258,6 +264,33 @@ class Refiner {
             });
         }
         for (std::int32_t p = 0; p < n_.path_count(); ++p) least_[p] = round_up(least_[p], step_[p]);
+    }
+    void least_without_symmetry() {
+        least_pieces_.resize(p_.arcs.size());
+        for (std::int32_t j = 0; j < n_.joint_count(); ++j) {
+            for (std::int32_t a = p_.arc_first[j]; a < p_.arc_first[j + 1]; ++a)
+                least_pieces_[a] = least_pieces(skeleton_, n_, p_, j, a);
+            for_slots(n_, j, [&](std::int32_t slot, std::int32_t path) {
+                least_[path] = std::max(least_[path], sum_of_cell(p_.cell_first[j] + slot, least_pieces_));
+            });
+        }
+        for (std::int32_t p = 0; p < n_.path_count(); ++p) least_[p] = round_up(least_[p], step_[p]);
+    }
+
+    /// Most joints can do with the least pieces of all arcs: then there is nothing to solve.
+    bool settle_for_least(std::int32_t j, std::int32_t core_count) {
+        if (images_.any()) return false;
+        bool enough = true;
+        for_slots(n_, j, [&](std::int32_t slot, std::int32_t path) {
+            const std::int32_t sum = sum_of_cell(p_.cell_first[j] + slot, least_pieces_);
+            const std::int32_t known = regions_.core[path] ? core_count : out_.path_sides[path];
+            enough = enough && (known != unknown ? sum == known
+                                : corners_[path] ? sum == least_[path]
+                                                 : sum >= least_[path]);
+        });
+        for (std::int32_t a = p_.arc_first[j]; enough && a < p_.arc_first[j + 1]; ++a)
+            out_.pieces[a] = least_pieces_[a];
+        return enough;
     }
     static std::int32_t round_up(std::int32_t count, std::int32_t step) {
         return (count + step - 1) / step * step;
@@ -327,10 +360,12 @@ class Refiner {
         std::iota(pending.begin(), pending.end(), 0);
         while (!pending.empty()) {
             if (progress.cancelled()) return false;
-            tbb::parallel_for(std::size_t{0}, pending.size(), [&](std::size_t i) {
+            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pending.size(), 64), [&](const auto& range) {
                 JointProblem joint(skeleton_, n_, p_, images_);
-                const std::int32_t j = joints[pending[i]], c = regions_.component[j];
-                met[pending[i]] = least_met(joint, j, count[c], step[c]);
+                for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                    const std::int32_t j = joints[pending[i]], c = regions_.component[j];
+                    met[pending[i]] = least_met(joint, j, count[c], step[c]);
+                }
             });
             for (std::size_t i = 0; i < joints.size(); ++i) {
                 if (met[i] >= hopeless) return false;
@@ -355,6 +390,7 @@ class Refiner {
     /// Solves a core joint with the least count that it can meet, and writes its pieces down. Joints share no
     /// arcs.
     std::int32_t least_met(JointProblem& joint, std::int32_t j, std::int32_t count, std::int32_t step) {
+        if (settle_for_least(j, count)) return count;
         joint.take(j);
         for (; count < hopeless; count += step) {
             if (!solve_joint(joint, j, count)) continue;
@@ -373,7 +409,7 @@ class Refiner {
             for (std::int32_t k = j;;) {  // the joint and its images
                 done[k] = 1;
                 for_slots(n_, k, [&](std::int32_t slot, std::int32_t path) {
-                    out_.path_sides[path] = sum_of_cell(p_.cell_first[k] + slot);
+                    out_.path_sides[path] = sum_of_cell(p_.cell_first[k] + slot, out_.pieces);
                     const std::int32_t next = joint_beyond(n_, path, k);
                     if (next >= 0 && !done[next]) queue.push_back(next);
                 });
@@ -383,9 +419,11 @@ class Refiner {
             }
         };
         auto solve = [&](std::int32_t j) {
-            joint.take(j);
-            if (!solve_joint(joint, j, unknown)) return false;
-            write(joint, j);
+            if (!settle_for_least(j, unknown)) {
+                joint.take(j);
+                if (!solve_joint(joint, j, unknown)) return false;
+                write(joint, j);
+            }
             settle(j, true);
             return true;
         };
@@ -415,9 +453,9 @@ class Refiner {
         return root;
     }
 
-    std::int32_t sum_of_cell(std::int32_t c) const {
+    std::int32_t sum_of_cell(std::int32_t c, const std::vector<std::int32_t>& pieces) const {
         std::int32_t sum = 0;
-        for (const CellSide& side : p_.cell(c)) sum += out_.pieces[side.arc];
+        for (const CellSide& side : p_.cell(c)) sum += pieces[side.arc];
         return sum;
     }
     bool representative(std::int32_t j) const {
@@ -443,7 +481,7 @@ class Refiner {
     const Images& images_;
     RefineOptions options_;
     Regions regions_;
-    std::vector<std::int32_t> least_, step_;
+    std::vector<std::int32_t> least_, step_, least_pieces_;
     std::vector<std::uint8_t> corners_;
     std::vector<std::uint8_t> core_joint_;
     Refinement out_;

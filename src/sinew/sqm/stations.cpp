@@ -14,6 +14,7 @@ void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
     side.ring.clear();
     side.joint = end.joint;
     side.reach = side.farthest = 0;
+    side.widest = 1;
     if (!end.at_joint()) return;
     side.cell = w.p.cell_first[end.joint] + end.slot;
     append_ring(w.p, w.r, w.points, end.joint, side.cell, side.ring);
@@ -22,8 +23,10 @@ void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
     const Vec3& axis = w.points.cone[w.n.slot_first[end.joint] + end.slot].axis;
     for (const std::uint32_t i : side.ring) {
         const Vec3 from = w.points.position[i] - side.centre;
-        side.reach = std::max(side.reach, from.dot(axis));
-        side.farthest = std::max(side.farthest, from.norm());
+        const double distance = from.norm(), along = from.dot(axis);
+        side.reach = std::max(side.reach, along);
+        side.farthest = std::max(side.farthest, distance);
+        side.widest = std::min(side.widest, along / distance);
     }
 }
 
