@@ -21,7 +21,8 @@ std::vector<Kind> kinds_of(const QuadMesh& mesh, const Topology& topology, const
     for (const PoleFan& fan : rules.fans.fans) kinds[fan.pole] = fan.fixed ? Kind::fixed : Kind::pole;
     for (const CircleVertex& place : rules.rounds.vertices) kinds[place.vertex] = Kind::fixed;
     for (const Cone& cone : rules.rounds.cones)
-        for (const Index v : cone.vertices) kinds[v] = Kind::fixed;
+        for (const Index face : cone.faces)
+            for (const Index v : mesh.face(face)) kinds[v] = Kind::fixed;
     for (Index v = 0; v < mesh.vertex_count(); ++v)
         if (topology.ring(v).empty()) kinds[v] = Kind::fixed;
     return kinds;

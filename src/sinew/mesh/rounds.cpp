@@ -86,18 +86,11 @@ class ConeFinder {
         const bool sound = grow(cone);
         for (const Index face : cone.faces) seen_[face] = 0;
         if (!sound) return {};
-        collect(cone.edges);
-        collect(cone.vertices);
         std::sort(cone.faces.begin(), cone.faces.end());
         return cone;
     }
 
   private:
-    static void collect(std::vector<Index>& list) {
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
-
     Vec3 position(Index vertex) const { return mesh_.positions[vertex].cast<double>(); }
     Index next(Index h) const { return next_half_edge(mesh_, topology_, h); }
 
@@ -154,9 +147,7 @@ class ConeFinder {
         const bool on = circle_of(from) == cone.circle;
         if (on && circle_of(to) == cone.circle) return true;
         if (!on && (circle_of(from) != no_index || !fits(cone, from))) return false;
-        if (!on) cone.vertices.push_back(from);
         if (topology_.twin[h] == no_index) return false;
-        cone.edges.push_back(topology_.half_edge_edge[h]);
         const Index beyond = topology_.half_edge_face[topology_.twin[h]];
         if (!seen_[beyond]) cone.faces.push_back(beyond);
         seen_[beyond] = 1;
@@ -220,17 +211,18 @@ Vec3 circle_control(const Circle& circle, const Vec3& point, const Vec3& before,
     return centre + (point - centre) / spline_radius(angle);
 }
 
-Vec3 mean_on_cone(const Circle& circle, const Vec3& tip, std::span<const Vec3> points) {
-    double radius = 0;
-    Vec3 direction = Vec3::Zero();
-    for (const Vec3& point : points) {
-        const Polar polar = polar_of(circle, point);
-        radius += polar.radius / static_cast<double>(points.size());
-        direction += polar.direction;
-    }
-    if (!(direction.norm() > 0)) return tip;
-    const Vec3 foot = tip + radius / circle.radius * (circle.centre.cast<double>() - tip);
-    return foot + radius * direction.normalized();
+void ConeMean::add(const Vec3& point) {
+    const Polar polar = polar_of(circle_, point);
+    ++count_;
+    radius_ += polar.radius;
+    direction_ += polar.direction;
+}
+
+Vec3 ConeMean::mean() const {
+    if (!(direction_.norm() > 0)) return tip_;
+    const double radius = radius_ / count_;
+    const Vec3 foot = tip_ + radius / circle_.radius * (circle_.centre.cast<double>() - tip_);
+    return foot + radius * direction_.normalized();
 }
 
 }  // namespace sinew

@@ -37,9 +37,7 @@ struct CircleEdge {
 struct Cone {
     std::uint32_t tip = 0;
     std::uint32_t circle = 0;
-    std::vector<std::uint32_t> faces;     ///< ascending
-    std::vector<std::uint32_t> edges;     ///< between two of the faces, ascending
-    std::vector<std::uint32_t> vertices;  ///< all but those of the circle, ascending
+    std::vector<std::uint32_t> faces;  ///< ascending
 };
 
 struct Rounds {
@@ -63,8 +61,20 @@ double spline_radius(double angle);
 /// spline_radius of the mean angle to its neighbours before and after.
 Vec3 circle_control(const Circle& circle, const Vec3& point, const Vec3& before, const Vec3& after);
 
-/// The mean of points of the cone from `tip` to the circle in its own coordinates: the share of the way to
-/// the circle, and the direction about the axis. The mean of all the tip is the tip.
-Vec3 mean_on_cone(const Circle& circle, const Vec3& tip, std::span<const Vec3> points);
+/// The mean of points of the cone from a tip to a circle in its own coordinates: the share of the way to the
+/// circle, and the direction about the axis. The mean of none but the tip is the tip.
+class ConeMean {
+  public:
+    ConeMean(const Circle& circle, const Vec3& tip) : circle_(circle), tip_(tip) {}
+    void add(const Vec3& point);
+    Vec3 mean() const;
+
+  private:
+    const Circle& circle_;
+    Vec3 tip_;
+    int count_ = 0;
+    double radius_ = 0;
+    Vec3 direction_ = Vec3::Zero();
+};
 
 }  // namespace sinew

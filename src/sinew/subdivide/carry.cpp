@@ -17,6 +17,9 @@ void for_each_in_parallel(Index count, const Body& body) {
     });
 }
 
+/// Number of vertices one level finer.
+std::size_t vertices_after(const Level& level) { return std::size_t{level.face_point(0)} + level.faces; }
+
 /// Number of entries of an ascending list below a value.
 Index count_below(std::span<const Index> list, Index value) {
     return static_cast<Index>(std::lower_bound(list.begin(), list.end(), value) - list.begin());
@@ -53,14 +56,15 @@ void write_quads_and_triangles(const Level& level, const Faces& faces, std::span
 /// Node, bone and the like of the vertices of the finer level, appended to those of the coarser one.
 class OriginWriter {
   public:
-    OriginWriter(const QuadMesh& mesh, QuadMesh& finest) : finest_(finest) {
-        finest_.vertex_node = mesh.vertex_node;
-        finest_.vertex_bone = mesh.vertex_bone;
-        finest_.vertex_along = mesh.vertex_along;
+    /// @param vertices  of the finest level
+    OriginWriter(const QuadMesh& mesh, std::size_t vertices, QuadMesh& finest) : finest_(finest) {
+        copy(mesh.vertex_node, vertices, finest_.vertex_node);
+        copy(mesh.vertex_bone, vertices, finest_.vertex_bone);
+        copy(mesh.vertex_along, vertices, finest_.vertex_along);
     }
 
     void split(const Level& level) {
-        const std::size_t vertices = std::size_t{level.face_point(0)} + level.faces;
+        const std::size_t vertices = vertices_after(level);
         for (auto* list : {&finest_.vertex_node, &finest_.vertex_bone})
             if (!list->empty()) list->resize(vertices);
         if (!finest_.vertex_along.empty()) finest_.vertex_along.resize(vertices);
@@ -78,6 +82,13 @@ class OriginWriter {
     }
 
   private:
+    template <class T>
+    static void copy(const std::vector<T>& from, std::size_t vertices, std::vector<T>& to) {
+        if (from.empty()) return;
+        reserve_large(to, vertices);
+        to.assign(from.begin(), from.end());
+    }
+
     void write(Index vertex, std::span<const Index> parents) {
         if (!finest_.vertex_node.empty()) finest_.vertex_node[vertex] = finest_.vertex_node[parents[0]];
         if (!finest_.vertex_bone.empty()) finest_.vertex_bone[vertex] = finest_.vertex_bone[parents[0]];
@@ -140,19 +151,22 @@ std::vector<Index> parts_of_faces(std::span<const Level> levels, std::span<const
 
 void write_finer_faces(const Level& level, QuadMesh& finer) {
     const std::vector<Index> triangles = finer_triangles(level);
-    finer.face_offsets.resize(std::size_t{level.slot_count()} + 1);
-    finer.face_offsets[0] = 0;
-    finer.corners.resize(4 * std::size_t{level.slot_count()} - triangles.size());
-    with_faces(level, [&](const auto& faces) {
+    const std::size_t faces = level.slot_count(), corners = 4 * faces - triangles.size();
+    finer.face_offsets.clear();
+    reserve_large(finer.face_offsets, faces + 1);
+    finer.face_offsets.resize(faces + 1);
+    reserve_large(finer.corners, corners);
+    finer.corners.resize(corners);
+    with_faces(level, [&](const auto& shape) {
         if (triangles.empty())
-            write_quads(level, faces, finer);
+            write_quads(level, shape, finer);
         else
-            write_quads_and_triangles(level, faces, triangles, finer);
+            write_quads_and_triangles(level, shape, triangles, finer);
     });
 }
 
 void write_origins(std::span<const Level> levels, const QuadMesh& mesh, QuadMesh& finest) {
-    OriginWriter writer(mesh, finest);
+    OriginWriter writer(mesh, vertices_after(levels.back()), finest);
     for (const Level& level : levels) writer.split(level);
 }
 

@@ -62,21 +62,10 @@ void add_circle_edge(const Level& level, const CircleEdge& place, Rounds& finer)
 Cone finer_cone(const Level& level, const Cone& coarse) {
     Cone finer{.tip = coarse.tip, .circle = coarse.circle};
     finer.faces.reserve(4 * coarse.faces.size());
-    for (const Index edge : coarse.edges) {
-        finer.edges.push_back(2 * edge);
-        finer.edges.push_back(2 * edge + 1);
-    }
-    finer.vertices = coarse.vertices;
-    for (const Index edge : coarse.edges) finer.vertices.push_back(level.edge_point(edge));
-    for (const Index face : coarse.faces) {
-        finer.vertices.push_back(level.face_point(face));
-        with_faces(level, [&](const auto& faces) {
-            for (Index slot = faces.begin(face); slot < faces.end(face); ++slot) {
-                finer.faces.push_back(slot);
-                finer.edges.push_back(2 * level.edge_count() + slot);
-            }
-        });
-    }
+    with_faces(level, [&](const auto& faces) {
+        for (const Index face : coarse.faces)
+            for (Index slot = faces.begin(face); slot < faces.end(face); ++slot) finer.faces.push_back(slot);
+    });
     return finer;
 }
 

@@ -15,32 +15,13 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "sinew/mesh/surface_rules.h"
+#include "sinew/subdivide/table.h"
 
 namespace sinew {
-
-/// A vector that does not write zeros first to what is filled in afterwards.
-template <class T>
-struct NoInit : std::allocator<T> {
-    template <class U>
-    struct rebind {
-        using other = NoInit<U>;
-    };
-    template <class U>
-    void construct(U* place) noexcept {
-        ::new (static_cast<void*>(place)) U;
-    }
-    template <class U, class... Args>
-    void construct(U* place, Args&&... args) {
-        ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
-    }
-};
-template <class T>
-using Table = std::vector<T, NoInit<T>>;
 
 struct Level {
     std::uint32_t vertices = 0;

@@ -37,23 +37,57 @@ double edge_weight(double angle) {
     return c + std::sqrt(c * (8 + c));
 }
 
-/// Normal of a smooth inner vertex, by the tangent masks of Catmull-Clark (Halstead, Kass and DeRose 1993)
-/// applied to the ring after one step of subdivision.
+/// Weights of the tangents of a smooth inner vertex of n edges, by the masks of Catmull-Clark (Halstead, Kass
+/// and DeRose 1993) applied to the ring after one step of subdivision: `edge` times the unit vector at angle
+/// i a for edge i, and `face` times that at (i + 1/2) a for the mean of face i.
+struct TangentWeights {
+    double edge, face;
+    Vec2 half_step;  ///< the unit vector at angle a / 2
+};
+
+TangentWeights tangent_weights(std::size_t n) {
+    const double angle = 2 * std::numbers::pi / static_cast<double>(n), edge = edge_weight(angle) / 4;
+    const Vec2 half_step(std::cos(angle / 2), std::sin(angle / 2));
+    if (n == 2) return {1, 1, half_step};  // edges and faces are eigenvectors each on their own
+    return {edge, (1 + edge) * 2 * half_step.x(), half_step};
+}
+
+/// Gathers the normal of a smooth inner vertex from its ring, in order.
+class SmoothNormal {
+  public:
+    explicit SmoothNormal(std::size_t n) {
+        static const TangentWeights four = tangent_weights(4);
+        weights_ = n == 4 ? four : tangent_weights(n);
+    }
+    /// @param edge, mean  seen from the vertex
+    void add(const Vec3& edge, const Vec3& mean) {
+        along_ += weights_.edge * direction_.x() * edge;
+        across_ += weights_.edge * direction_.y() * edge;
+        turn();
+        along_ += weights_.face * direction_.x() * mean;
+        across_ += weights_.face * direction_.y() * mean;
+        turn();
+    }
+    Vec3 normal() const { return along_.cross(across_).normalized(); }
+
+  private:
+    void turn() {
+        const Vec2& step = weights_.half_step;
+        direction_ = {direction_.x() * step.x() - direction_.y() * step.y(),
+                      direction_.x() * step.y() + direction_.y() * step.x()};
+    }
+
+    TangentWeights weights_{};
+    Vec2 direction_ = Vec2::UnitX();
+    Vec3 along_ = Vec3::Zero();
+    Vec3 across_ = Vec3::Zero();
+};
+
 Vec3 smooth_normal(const VertexRing& ring) {
     const std::size_t n = ring.sharpness.size();
-    if (n == 2)
-        return (edge_at(ring, 0) - edge_at(ring, 1)).cross(mean_at(ring, 0) - mean_at(ring, 1)).normalized();
-    const double angle = 2 * std::numbers::pi / static_cast<double>(n), weight = edge_weight(angle);
-    Vec3 along = Vec3::Zero(), across = Vec3::Zero();
-    for (std::size_t i = 0; i < n; ++i) {
-        const double here = angle * static_cast<double>(i), next = angle * static_cast<double>(i + 1);
-        const Vec3 mean = mean_at(ring, i);
-        const Vec3 edge = (edge_at(ring, i) + mean_at(ring, (i + n - 1) % n) + mean) / 4;
-        along += weight * std::cos(here) * edge + (std::cos(here) + std::cos(next)) * mean;
-        across += weight * std::sin(here) * edge + (std::sin(here) + std::sin(next)) * mean;
-    }
-    const Vec3 normal = along.cross(across);
-    return normal.norm() > 0 ? normal.normalized() : sum_of_faces(ring, 0, n).normalized();
+    SmoothNormal sum(n);
+    for (std::size_t i = 0; i < n; ++i) sum.add(edge_at(ring, i), mean_at(ring, i));
+    return sum.normal();
 }
 
 /// Normal of the side of a crease that has `count` faces from face `begin` on: of the crease's direction and
@@ -156,16 +190,15 @@ class NormalWriter {
 void write_smooth(const Finest& finest, std::span<const Vec3f> control, const NormalWriter& writer) {
     with_finest_faces(finest, control, [&](const auto& see) {
         for_each_ring(finest.levels, finest.splits, [&](Index vertex, const auto& slots) {
-            const auto n = static_cast<Eigen::Index>(slots.size());
-            if (n < 2) return;
-            VertexRing ring{control[vertex].cast<double>().transpose(), VertexRing::Rows(n, 3),
-                            VertexRing::Rows(n, 3), std::vector<float>(slots.size(), 0)};
-            for (Eigen::Index i = 0; i < n; ++i) {
-                const SeenFace face = see(slots[static_cast<std::size_t>(i)]);
-                ring.edges.row(i) = control[face.next].template cast<double>().transpose();
-                ring.means.row(i) = face.mean.template cast<double>().transpose();
+            if (slots.size() < 2) return;
+            const Vec3f& point = control[vertex];
+            SmoothNormal sum(slots.size());
+            for (const Index slot : slots) {
+                const SeenFace face = see(slot);
+                sum.add((control[face.next] - point).template cast<double>(),
+                        (face.mean - point).template cast<double>());
             }
-            const Vec3 normal = smooth_normal(ring);
+            const Vec3 normal = sum.normal();
             for (const Index slot : slots) writer.write(slot, vertex, normal);
         });
     });

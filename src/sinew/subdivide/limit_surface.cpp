@@ -69,6 +69,20 @@ void find_polar_limits(const Finest& finest, const FinestRings& rings, std::span
     }
 }
 
+void keep_cone(const Finest& finest, const Cone& cone, std::span<const Vec3f> control,
+               std::span<Vec3f> limit) {
+    with_finest_faces(finest, control, [&](const auto& see) {
+        for (const Index face : cone.faces) {
+            const Index begin = finest.splits == 0 ? finest.levels[0].first[face] : 4 * face;
+            const Index end = finest.splits == 0 ? finest.levels[0].first[face + 1] : begin + 4;
+            for (Index slot = begin; slot < end; ++slot) {
+                const Index vertex = see(slot).next;
+                limit[vertex] = control[vertex];
+            }
+        }
+    });
+}
+
 }  // namespace
 
 void find_limit_positions(const Finest& finest, std::span<Vec3f> control, std::span<Vec3f> limit) {
@@ -80,8 +94,7 @@ void find_limit_positions(const Finest& finest, std::span<Vec3f> control, std::s
     find_sharp_limits(finest, rings, control, limit);
     restore_circles(rounds, on_circles, control);
     restore_circles(rounds, on_circles, limit);
-    for (const Cone& cone : rounds.cones)
-        for (const Index vertex : cone.vertices) limit[vertex] = control[vertex];
+    for (const Cone& cone : rounds.cones) keep_cone(finest, cone, control, limit);
     put_in_planes(flats, finest.features, limit);
 }
 

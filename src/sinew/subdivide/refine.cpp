@@ -170,26 +170,33 @@ void follow_circles(const Level& level, const Faces& faces, const Step& step, co
     });
 }
 
+/// New points of a face of a cone, and of those of its edges that start in it.
+template <class Faces>
+void split_cone_face(const Level& level, const Faces& faces, Index face, const ConeMean& start,
+                     const Points& points) {
+    ConeMean middle = start;
+    for (Index slot = faces.begin(face); slot < faces.end(face); ++slot) {
+        const Vec3 here = wide(points.coarse[level.corners[slot]]);
+        middle.add(here);
+        const Index edge = level.slot_edge[slot];
+        if (edge == no_index || level.edges[edge][0] != slot) continue;
+        ConeMean half = start;
+        half.add(here);
+        half.add(wide(points.coarse[level.corners[faces.next(slot)]]));
+        points.edges[edge] = half.mean().template cast<float>();
+    }
+    points.faces[face] = middle.mean().template cast<float>();
+}
+
 template <class Faces>
 void follow_cone(const Level& level, const Faces& faces, const Cone& cone, const Circle& circle,
                  const Points& points) {
-    const Vec3 tip = wide(points.coarse[cone.tip]);
-    const auto at = [&](Index vertex) { return wide(points.coarse[vertex]); };
-    for (const Index vertex : cone.vertices) points.finer[vertex] = points.coarse[vertex];
-    for_each_in_parallel(cone.edges.size(), [&](std::size_t i) {
-        const auto [a, b] = ends_of(level, faces, cone.edges[i]);
-        points.edges[cone.edges[i]] =
-            mean_on_cone(circle, tip, std::array{at(a), at(b)}).template cast<float>();
-    });
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cone.faces.size(), 512), [&](const auto& range) {
-        std::vector<Vec3> corners;
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            corners.clear();
-            for (Index slot = faces.begin(cone.faces[i]); slot < faces.end(cone.faces[i]); ++slot)
-                corners.push_back(at(level.corners[slot]));
-            points.faces[cone.faces[i]] = mean_on_cone(circle, tip, corners).template cast<float>();
-        }
-    });
+    const ConeMean start(circle, wide(points.coarse[cone.tip]));
+    for_each_in_parallel(cone.faces.size(),
+                         [&](std::size_t i) { split_cone_face(level, faces, cone.faces[i], start, points); });
+    for (const Index face : cone.faces)
+        for (Index slot = faces.begin(face); slot < faces.end(face); ++slot)
+            points.finer[level.corners[slot]] = points.coarse[level.corners[slot]];
 }
 
 template <class Faces>

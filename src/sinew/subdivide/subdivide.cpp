@@ -15,12 +15,12 @@ namespace sinew {
 struct Subdivider::Tables {
     std::size_t splits = 0;
     bool limit = false;
-    std::vector<Level> levels;        ///< those that are split; the control mesh's also if none is
-    std::vector<SurfaceRules> rules;  ///< of those, and of the finest level where the limit is wanted
-    Flats finest_flats;               ///< of the finest level
-    Features features;                ///< of the control mesh
-    std::vector<std::vector<Vec3f>> positions;  ///< of the levels before the finest
-    std::vector<Vec3f> finest_control;          ///< of the finest, where the mesh has limit positions
+    std::vector<Level> levels;            ///< those that are split; the control mesh's also if none is
+    std::vector<SurfaceRules> rules;      ///< of those, and of the finest level where the limit is wanted
+    Flats finest_flats;                   ///< of the finest level
+    Features features;                    ///< of the control mesh, without creases
+    std::vector<Table<Vec3f>> positions;  ///< of the levels before the finest
+    Table<Vec3f> finest_control;          ///< of the finest, where the mesh has limit positions
     QuadMesh finest;
 };
 
@@ -59,6 +59,7 @@ class TableBuilder {
         tables_->splits = static_cast<std::size_t>(options_.levels);
         tables_->limit = options_.limit;
         tables_->features = mesh_.features;
+        std::vector<Crease>().swap(tables_->features.creases);  // the rules know them
         if (auto done = start(); !done) return fail(done.error());
         if (auto done = split(); !done) return fail(done.error());
         tables_->splits == 0 ? copy() : carry();
@@ -111,6 +112,7 @@ class TableBuilder {
         const Level& last = tables_->levels.back();
         const std::size_t vertices =
             tables_->splits == 0 ? last.vertices : std::size_t{last.face_point(0)} + last.faces;
+        if (tables_->splits > 0) reserve_large(tables_->finest.positions, vertices);
         tables_->finest.positions.resize(vertices);
         if (tables_->limit) tables_->finest_control.resize(vertices);
     }
@@ -150,15 +152,15 @@ Result<void> Subdivider::refine(std::span<const Vec3f> control) {
     if (control.size() != t.levels[0].vertices)
         return fail(ErrorKind::call, fmt::format("there are {} positions for {} vertices", control.size(),
                                                  t.levels[0].vertices));
-    std::vector<Vec3f>& finest = t.limit ? t.finest_control : t.finest.positions;
-    std::vector<Vec3f>& first = t.splits == 0 ? finest : t.positions[0];
+    const std::span<Vec3f> finest = t.limit ? std::span<Vec3f>(t.finest_control) : t.finest.positions;
+    const std::span<Vec3f> first = t.splits == 0 ? finest : t.positions[0];
     std::copy(control.begin(), control.end(), first.begin());
     put_on_circles(t.rules[0].rounds, t.features, first);
     for (std::size_t l = 0; l < t.splits; ++l) {
         const bool last = l + 1 == t.splits;
         const Step step{std::span(t.levels).first(l + 1), t.rules[l],
                         last ? t.finest_flats : t.rules[l + 1].flats, t.features};
-        refine_positions(step, t.positions[l], last ? finest : t.positions[l + 1]);
+        refine_positions(step, t.positions[l], last ? finest : std::span<Vec3f>(t.positions[l + 1]));
     }
     if (t.limit)
         find_limit_positions({t.levels, t.splits, t.rules.back(), t.features}, t.finest_control,
@@ -195,7 +197,7 @@ Result<void> Subdivider::refine(const QuadMesh& control) {
 
 std::vector<Vec3f> Subdivider::limit_normals() const {
     Tables& t = *tables_;  // the positions are put back as they were
-    std::vector<Vec3f>& control = t.limit ? t.finest_control : t.finest.positions;
+    const std::span<Vec3f> control = t.limit ? std::span<Vec3f>(t.finest_control) : t.finest.positions;
     if (t.splits == 0 || t.limit)
         return find_limit_normals({t.levels, t.splits, t.rules.back(), t.features}, control, t.finest);
     const SurfaceRules rules = finer_rules(t.levels.back(), t.rules.back());
