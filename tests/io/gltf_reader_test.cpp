@@ -68,6 +68,14 @@ TEST(GltfReader, OurFilesComeBackWithTheirQuads) {
     }
 }
 
+TEST(GltfReader, SharpEdgesAreShadedSharpAndComeBackWhole) {
+    QuadMesh cube = shapes::cube();
+    cube.features.creases = {{{4, 5}, 10}, {{5, 7}, 10}, {{7, 6}, 10}, {{6, 4}, 10}};
+    const Gltf gltf(cube);
+    EXPECT_EQ(gltf.text["accessors"][0]["count"], 12) << "the lid has vertices of its own";
+    expect_same_faces(*parse_gltf_mesh(gltf.bytes(), "a.glb"), cube);
+}
+
 TEST(GltfReader, UnitsBecomeMetres) {
     const QuadMesh mesh = *parse_gltf_mesh(*glb_bytes(shapes::cube(), 0.25), "a.glb");
     EXPECT_NEAR(measure(mesh).volume, 1.0 / 64, 1e-9);

@@ -9,6 +9,7 @@
 #include "sinew/io/ngon_encoding.h"
 #include "sinew/io/text_numbers.h"
 #include "sinew/mesh/normals.h"
+#include "sinew/mesh/split.h"
 
 namespace sinew {
 namespace {
@@ -46,7 +47,7 @@ Json accessor(int view, int component, std::size_t count, const char* type) {
 }
 
 /// What a mesh is made of, and where it lies in the buffer.
-Json describe(const QuadMesh& mesh, std::size_t triangles, double metres_a_unit) {
+Json describe(const QuadMesh& mesh, std::size_t triangles, bool shared, double metres_a_unit) {
     Eigen::AlignedBox3f box;
     for (const Vec3f& p : mesh.positions) box.extend(p);
     const std::size_t vertices = mesh.vertex_count(), vertex_bytes = 12 * vertices,
@@ -70,7 +71,7 @@ Json describe(const QuadMesh& mesh, std::size_t triangles, double metres_a_unit)
                                                    {"material", 0},
                                                    {"mode", mode_triangles},
                                                    {"extensions", {{ngon_extension, Json::object()}}},
-                                                   {"extras", {{"shared_vertices", true}}}}})}}});
+                                                   {"extras", {{"shared_vertices", shared}}}}})}}});
     Json positions = accessor(0, type_float, vertices, "VEC3");
     positions["min"] = three(box.min());
     positions["max"] = three(box.max());
@@ -91,12 +92,15 @@ struct Parts {
     std::string data;
 };
 
-Result<Parts> parts_of(const QuadMesh& mesh, double metres_a_unit) {
+Result<Parts> parts_of(const QuadMesh& whole, double metres_a_unit) {
+    const bool shared = whole.features.creases.empty();
+    const QuadMesh split = shared ? QuadMesh{} : split_at_creases(whole);
+    const QuadMesh& mesh = shared ? whole : split;
     const std::vector<Triangle> triangles = encode_ngons(mesh);
     if (24 * mesh.vertex_count() + 12 * triangles.size() > std::numeric_limits<std::uint32_t>::max() - 4096)
         return fail(ErrorKind::call, "the mesh is too large for glTF, which holds 4 GiB",
                     "write PLY instead");
-    Parts parts{describe(mesh, triangles.size(), metres_a_unit), {}};
+    Parts parts{describe(mesh, triangles.size(), shared, metres_a_unit), {}};
     append_vectors(mesh.positions, parts.data);
     append_vectors(vertex_normals(mesh), parts.data);
     append_triangles(triangles, parts.data);
