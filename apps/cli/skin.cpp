@@ -69,11 +69,14 @@ Result<Outcome> SkinCommand::work(Session& session, const Job& job) const {
     if (!read) return fail(read.error());
 
     const auto begin = std::chrono::steady_clock::now();
-    auto made = skin(read->document, options(read->measured), session.progress(0, levels > 0 ? 0.5 : 0.9));
+    const SkinOptions chosen = options(read->measured);
+    auto made = skin(read->document, chosen, session.progress(0, levels > 0 ? 0.5 : 0.9));
     if (!made) return fail(made.error());
     if (const auto told = session.warn(job.input, made->warnings); !told) return fail(told.error());
     if (levels > 0) {
-        auto fine = subdivide(made->mesh, {.levels = levels}, session.progress(0.5, 0.9));
+        // Whoever wants the radii on the limit surface wants the vertices there too.
+        const SubdivideOptions finer{.levels = levels, .limit = chosen.fit == Fit::limit};
+        auto fine = subdivide(made->mesh, finer, session.progress(0.5, 0.9));
         if (!fine) return fail(fine.error());
         made->mesh = std::move(*fine);
     }
