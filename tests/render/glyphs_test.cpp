@@ -54,6 +54,16 @@ TEST(Glyphs, ACubeHasItsSizeAndTurnsWithItsBone) {
     EXPECT_TRUE(box.y.isApprox(Vec3f(0, -2, 0), 1e-5f));
 }
 
+TEST(Glyphs, ImagesOfASymmetryAreDrawnToo) {
+    Document document = lollipop(NodeType::sphere);
+    document.symmetry = {.kind = Symmetry::Kind::mirror, .axis = 0};
+    const Glyphs glyphs = make_glyphs(document);
+    EXPECT_EQ(glyphs.bones.size(), 3u) << "one bone lies in the plane";
+    EXPECT_EQ(glyphs.of(GlyphShape::sphere).size(), 4u);
+    const Bounds box = Glyphs{.bones = glyphs.bones}.bounds();
+    EXPECT_EQ(box.min().x(), -box.max().x());
+}
+
 TEST(Glyphs, LinksAreBonesToo) {
     Document document = lollipop(NodeType::sphere);
     document.links = {{0, 2}};

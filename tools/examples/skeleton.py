@@ -51,35 +51,17 @@ class Skeleton:
     def position(self, node):
         return self.nodes[node - 1]["position"]
 
-    def with_twins(self):
-        """The nodes and links of a mirrored skeleton with both sides drawn; nodes with x = 0 are their own twins."""
-        nodes, twin = [dict(node) for node in self.nodes], {}
-        for node in self.nodes:
-            x, y, z = node["position"]
-            twin[node["id"]] = node["id"] if x == 0 else len(nodes) + 1
-            if x == 0:
-                continue
-            nodes.append({**node, "id": twin[node["id"]], "parent": twin[node["parent"]], "position": [-x, y, z]})
-            if "roll" in node:
-                nodes[-1]["roll"] = -node["roll"]
-            if "rotation" in node:
-                a, b, c, w = node["rotation"]
-                nodes[-1]["rotation"] = [a, -b, -c, w]
-            if "name" in node:
-                nodes[node["id"] - 1]["name"], nodes[-1]["name"] = "left " + node["name"], "right " + node["name"]
-        mirrored = [[twin[a], twin[b]] for a, b in self.links if [twin[a], twin[b]] != [a, b]]
-        return nodes, self.links + mirrored
-
     def save(self, name):
         """Writes NAME.sinew, a node a line, into the folder named on the command line or else into examples/."""
-        nodes, links = self.with_twins() if self.mirrored else (self.nodes, self.links)
-        lines = ['"format": "sinew"', '"version": 1', f'"unit": {json.dumps(self.unit)}',
-                 '"nodes": [\n' + ",\n".join("  " + json.dumps(node) for node in nodes) + "]"]
-        if links:
-            lines.append(f'"links": {json.dumps(links)}')
+        lines = ['"format": "sinew"', '"version": 1', f'"unit": {json.dumps(self.unit)}']
+        if self.mirrored:
+            lines.append('"symmetry": {"mirror": "x"}')
+        lines.append('"nodes": [\n' + ",\n".join("  " + json.dumps(node) for node in self.nodes) + "]")
+        if self.links:
+            lines.append(f'"links": {json.dumps(self.links)}')
         path = (pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else EXAMPLES) / f"{name}.sinew"
         path.write_text("{" + ",\n ".join(lines) + "}\n", encoding="utf-8")
-        print(f"{path}: {len(nodes)} nodes")
+        print(f"{path}: {len(self.nodes)} nodes drawn")
 
 
 def mix(a, b, t):

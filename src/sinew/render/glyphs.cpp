@@ -4,6 +4,7 @@
 
 #include "sinew/skeleton/frames.h"
 #include "sinew/skeleton/graph.h"
+#include "sinew/skeleton/symmetry.h"
 
 namespace sinew {
 namespace {
@@ -89,6 +90,11 @@ Bounds Glyphs::bounds() const {
 }
 
 Glyphs make_glyphs(const Document& document, const GlyphStyle& style) {
+    if (document.symmetry.kind != Symmetry::Kind::none) {
+        Document expanded = expand_symmetry(document).document;
+        expanded.symmetry = {};
+        return make_glyphs(expanded, style);
+    }
     const std::vector<Bone> bones = bones_of(document);
     const auto node_count = static_cast<std::int32_t>(document.nodes.size());
     const Adjacency neighbours = adjacency(node_count, bones);

@@ -66,7 +66,7 @@ struct GlyphStyle {
 /// Beads on thin bones: what is seen well inside a transparent mesh.
 inline constexpr GlyphStyle slender_glyphs{.bone_factor = 0.16f, .node_factor = 0.32f};
 
-/// Glyphs of the nodes and bones as they are in the document: symmetry is not expanded here (do it before).
+/// Glyphs of all nodes and bones of a valid document, the images of its symmetry included.
 Glyphs make_glyphs(const Document& document, const GlyphStyle& style = {});
 
 }  // namespace sinew
