@@ -29,7 +29,7 @@ Vec3f as_float(const Int3& p) { return p.cast<float>(); }
 TEST(Predicates, Orient3dIsTheSignOfTheDeterminant) {
     for (const int most : {1, 3, 100, 1 << 18}) {
         Whole whole(most);
-        for (int i = 0; i < 20000; ++i) {
+        for (int i = 0; i < 5000; ++i) {
             const Int3 a = whole.point(), b = whole.point(), c = whole.point(), d = whole.point();
             ASSERT_EQ(orient3d(as_float(a), as_float(b), as_float(c), as_float(d)),
                       sign_of((a - d).dot((b - d).cross(c - d))));
@@ -40,7 +40,7 @@ TEST(Predicates, Orient3dIsTheSignOfTheDeterminant) {
 TEST(Predicates, NearlyCoplanarPointsAreToldApart) {
     // d lies on the plane of the others, or one step of the last bit beside it.
     Whole whole(1 << 16);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 5000; ++i) {
         const Int3 a = whole.point(), b = whole.point(), c = whole.point(), d = a + b - c;
         const std::int64_t above = (a - b).cross(c - b).x();
         const Int3 next = d + Int3(1, 0, 0);
@@ -68,7 +68,7 @@ TEST(Predicates, NoScaleIsTooLargeOrTooSmall) {
 TEST(Predicates, Orient2dIsTheSignOfTheArea) {
     for (const int most : {1, 4, 1000, 1 << 22}) {
         Whole whole(most);
-        for (int i = 0; i < 20000; ++i) {
+        for (int i = 0; i < 5000; ++i) {
             const Int3 a = whole.point(), b = whole.point(), c = whole.point();
             const Int3 normal = (b - a).cross(c - a);
             for (int axis = 0; axis < 3; ++axis)

@@ -61,7 +61,7 @@ class TrianglePair : public testing::Test {
 TEST_F(TrianglePair, SeparateTrianglesMeetWhereNoAxisPartsThem) {
     int met = 0, tried = 0;
     for (const int most : {2, 3, 6, 1000}) {  // on small grids points often lie on edges and planes
-        for (int i = 0; i < 30000; ++i) {
+        for (int i = 0; i < 6000; ++i) {
             const Polygon p{point(most), point(most), point(most), point(most), point(most), point(most)};
             if (flat(p[0], p[1], p[2]) || flat(p[3], p[4], p[5])) continue;
             const bool meet = polygons_meet({p[0], p[1], p[2]}, {p[3], p[4], p[5]});
@@ -76,7 +76,7 @@ TEST_F(TrianglePair, SeparateTrianglesMeetWhereNoAxisPartsThem) {
 }
 
 TEST_F(TrianglePair, TrianglesInOnePlane) {
-    for (int i = 0; i < 30000; ++i) {
+    for (int i = 0; i < 6000; ++i) {
         Polygon p{point(4), point(4), point(4), point(4), point(4), point(4)};
         for (Int3& q : p) q.z() = q.x() + 2 * q.y();
         if (flat(p[0], p[1], p[2]) || flat(p[3], p[4], p[5])) continue;
@@ -87,7 +87,7 @@ TEST_F(TrianglePair, TrianglesInOnePlane) {
 
 TEST_F(TrianglePair, OneSharedVertexIsNoIntersectionByItself) {
     for (const int most : {2, 3, 8})
-        for (int i = 0; i < 30000; ++i) {
+        for (int i = 0; i < 6000; ++i) {
             const Polygon p{point(most), point(most), point(most), point(most), point(most)};
             const Polygon a{p[0], p[1], p[2]}, b{p[0], p[3], p[4]};
             if (flat(p[0], p[1], p[2]) || flat(p[0], p[3], p[4])) continue;
@@ -100,7 +100,7 @@ TEST_F(TrianglePair, OneSharedVertexIsNoIntersectionByItself) {
 }
 
 TEST_F(TrianglePair, ASharedEdgeIsOneOnlyWhereTheyAreFoldedOntoEachOther) {
-    for (int i = 0; i < 30000; ++i) {
+    for (int i = 0; i < 6000; ++i) {
         const Polygon p{point(2), point(2), point(2), point(2)};
         if (flat(p[0], p[1], p[2]) || flat(p[0], p[1], p[3])) continue;
         const Int3 m = (p[1] - p[0]).cross(p[2] - p[0]), n = (p[1] - p[0]).cross(p[3] - p[0]);
