@@ -35,6 +35,7 @@ bool has_triangles(const tinygltf::Primitive& primitive) {
 }
 
 bool says_shared(const tinygltf::Primitive& primitive) {
+    if (!primitive.extras.IsObject() || !primitive.extras.Has("shared_vertices")) return false;
     const tinygltf::Value& shared = primitive.extras.Get("shared_vertices");
     return shared.IsBool() && shared.Get<bool>();
 }
