@@ -34,6 +34,7 @@ void declare(CLI::App& program, Session& session) {
     add_render(program, session);
     add_grow(program, session);
     add_subdivide(program, session);
+    add_edit(program, session);
     add_formats(program, session);
 }
 
