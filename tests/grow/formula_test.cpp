@@ -65,6 +65,18 @@ TEST_F(FormulaTest, EvaluatesSeveralAtOnceInOrder) {
     EXPECT_EQ(std::vector(values.begin(), values.end()), (std::vector<double>{2, 7, 3, 3}));
 }
 
+TEST_F(FormulaTest, TakesMoreTextThanMuParserDoes) {
+    std::vector<Text> texts;
+    for (int i = 0; i < 30000; ++i) texts.push_back({std::to_string(i) + "*x", 0});
+    const auto formula = compiler.compile(texts, variables);
+    ASSERT_TRUE(formula);
+    const auto values = formula->values();
+    ASSERT_EQ(values.size(), texts.size());
+    for (std::size_t i = 0; i < texts.size(); ++i) EXPECT_EQ(values[i], 2.0 * static_cast<double>(i));
+    EXPECT_EQ(error("x" + std::string(20000, '+') + "1"),
+              "f:1:1: this formula is longer than 19999 characters");
+}
+
 TEST_F(FormulaTest, DrawsAnewEachTime) {
     const auto formula = compiler.compile(Text{"random(0, 1)", 0}, variables);
     ASSERT_TRUE(formula);

@@ -53,6 +53,10 @@ TEST(Turtle, SharesNodesWhereSegmentsMeet) {
     EXPECT_EQ(grown("%axiom F f(0) F\n").nodes.size(), 3u);
 }
 
+TEST(Turtle, RefusesBranchesWithoutEnd) {
+    EXPECT_NE(sinew::testing::error_of("%axiom F A\n%steps 3000000\nA -> [A]\n"), "");
+}
+
 TEST(Turtle, LeavesAGapWhereItMovesOnly) {
     const Document d = grown("%axiom F f F f f . f\n");
     ASSERT_EQ(d.nodes.size(), 5u);

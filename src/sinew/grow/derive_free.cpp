@@ -151,6 +151,10 @@ Result<void> FreeDerivation::guard() {
     } else if (work_ / work_per_node > limit_) {
         return too_much_work(grammar_, fmt::format("more than {} modules", work_), limit_);
     }
+    if (static_cast<std::int64_t>(frames_.size()) > limit_ + work_per_node)
+        return fail(Error{.message = fmt::format("modules stand inside each other {} deep", frames_.size()),
+                          .cure = "take fewer steps or raise the limit",
+                          .file = grammar_.source.name()});
     if (progress_.cancelled()) return Progress::stopped();
     if (expected_ > 0)
         progress_(static_cast<double>(turtle_.node_count()) / static_cast<double>(expected_), "grow");

@@ -46,6 +46,8 @@ constexpr std::array random_functions{"random", "normal"};
 /// muParser does not let its own ^ be replaced, so formulas reach it with this in place of ^.
 constexpr char power_sign = '~';
 
+constexpr std::size_t longest_formula = 19'999;  ///< muParser takes no longer ones
+
 std::unique_ptr<mu::Parser> make_functions(Random& random) {
     auto parser = std::make_unique<mu::Parser>();
     parser->ClearFun();
@@ -161,8 +163,13 @@ Formula::~Formula() = default;
 
 std::span<const double> Formula::values() const {
     int count = 0;
-    const double* first = parser_->Eval(count);
-    return {first, count_};
+    if (parsers_.size() == 1) return {parsers_[0]->Eval(count), count_};
+    values_.clear();
+    for (const auto& parser : parsers_) {
+        const double* first = parser->Eval(count);
+        values_.insert(values_.end(), first, first + count);
+    }
+    return values_;
 }
 
 FormulaCompiler::FormulaCompiler(const Source& source, Random& random)
@@ -211,8 +218,10 @@ Result<std::unique_ptr<mu::Parser>> FormulaCompiler::parse(const std::string& te
         auto parser = std::make_unique<mu::Parser>(*functions_);
         for (const Variable& variable : variables)
             parser->DefineVar(variable.name, const_cast<double*>(variable.value));
-        for (const auto& [name, value] : constants_)
-            if (!parser->GetVar().contains(name)) parser->DefineConst(name, value);
+        for (const std::string& name : names_in(Text{text, 0}))
+            if (const auto constant = constants_.find(name);
+                constant != constants_.end() && !parser->GetVar().contains(name))
+                parser->DefineConst(name, constant->second);
         std::string spelled = text;
         std::replace(spelled.begin(), spelled.end(), '^', power_sign);
         parser->SetExpr(spelled);
@@ -232,22 +241,29 @@ Result<std::unique_ptr<mu::Parser>> FormulaCompiler::parse(const std::string& te
 
 Result<Formula> FormulaCompiler::compile(std::span<const Text> formulas,
                                          std::span<const Variable> variables) const {
-    std::string all;
-    for (const Text& formula : formulas) {
-        if (auto checked = check_names(formula, variables); !checked) return tl::unexpected(checked.error());
-        all += (all.empty() ? "" : ",") + formula.text;
-    }
     Formula result;
     result.count_ = formulas.size();
-    if (formulas.empty()) return result;
-    auto parser = parse(all, variables, formulas.front(), formulas.size());
-    if (!parser) {  // find out whose fault it is
-        for (const Text& formula : formulas)
-            if (auto one = parse(formula.text, variables, formula, 1); !one)
-                return tl::unexpected(one.error());
-        return tl::unexpected(parser.error());
+    for (std::size_t first = 0; first < formulas.size();) {
+        std::string all;
+        std::size_t end = first;
+        for (; end < formulas.size() && all.size() + formulas[end].text.size() < longest_formula; ++end) {
+            if (auto checked = check_names(formulas[end], variables); !checked)
+                return tl::unexpected(checked.error());
+            all += (all.empty() ? "" : ",") + formulas[end].text;
+        }
+        if (end == first)
+            return source_.error(formulas[first].offset,
+                                 fmt::format("this formula is longer than {} characters", longest_formula));
+        auto parser = parse(all, variables, formulas[first], end - first);
+        if (!parser) {  // find out whose fault it is
+            for (const Text& formula : formulas.subspan(first, end - first))
+                if (auto one = parse(formula.text, variables, formula, 1); !one)
+                    return tl::unexpected(one.error());
+            return tl::unexpected(parser.error());
+        }
+        result.parsers_.push_back(std::move(*parser));
+        first = end;
     }
-    result.parser_ = std::move(*parser);
     return result;
 }
 

@@ -44,7 +44,9 @@ class Formula {
 
   private:
     friend class FormulaCompiler;
-    std::unique_ptr<mu::Parser> parser_;
+    std::vector<std::unique_ptr<mu::Parser>>
+        parsers_;  ///< more than one where muParser takes no text that long
+    mutable std::vector<double> values_;
     std::size_t count_ = 0;
 };
 

@@ -19,6 +19,8 @@ void turn(Vec3& a, Vec3& b, double degrees) {
     b = c * b - s * old;
 }
 
+constexpr std::size_t deepest = 1'000'000;
+
 bool positive(double x) { return std::isfinite(x) && x > 0; }
 
 bool for_leaves(NodeType type) {
@@ -75,7 +77,7 @@ bool Turtle::obey(Command command, const double* arguments, int count) {
         case Command::radius:
             return set_radius(count > 0 ? arguments[0] : s.radius * defaults_.thinning);
         case Command::push:
-            return stack_.push_back(s), true;
+            return push();
         case Command::pop:
             return s = stack_.back(), stack_.pop_back(), true;
         case Command::round:
@@ -103,6 +105,12 @@ bool Turtle::obey(Command command, const double* arguments, int count) {
         case Command::sharp:
             return set_joint(infinitely_sharp);
     }
+    return true;
+}
+
+bool Turtle::push() {
+    if (stack_.size() >= deepest) return fail("opens more branches inside each other than can be kept");
+    stack_.push_back(state_);
     return true;
 }
 

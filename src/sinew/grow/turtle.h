@@ -55,6 +55,7 @@ class Turtle {
         Vec3 left, up, heading;
     };
 
+    bool push();
     bool draw(double length);
     bool move(double length);
     bool put_node();
