@@ -81,7 +81,7 @@ Node descendant_of(const Node& from) {
 
 Document starting_document() {
     Document document;
-    document.unit = "m";
+    document.unit.assign(1, 'm');
     document.symmetry = {Symmetry::Kind::mirror, 0, 1};
     document.nodes.push_back({.radius = 0.5});
     return document;

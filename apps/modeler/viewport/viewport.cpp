@@ -36,7 +36,10 @@ Viewport::Viewport(Model& model, Interaction& tools, const ViewSettings& view, Q
     model_.observe([this](const Changes&) { update(); });
 }
 
-Viewport::~Viewport() {
+Viewport::~Viewport() { release(); }
+
+void Viewport::release() {
+    if (!scene_) return;
     makeCurrent();
     scene_.reset();
     doneCurrent();
@@ -77,6 +80,8 @@ void Viewport::start(Modal modal) {
 }
 
 void Viewport::initializeGL() {
+    // Qt may give the widget another context, as when the window goes to another screen.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
     auto scene = SceneView::create();
     if (!scene) {
         if (failed) failed(QString::fromStdString(scene.error().text()));

@@ -56,6 +56,7 @@ class Viewport : public QOpenGLWidget {
     void move_camera(const Vec2& pixels, const Vec2& at);
     bool gesture_key(const QKeyEvent& event);
     void paint_overlay(QPainter& painter);
+    void release();  ///< what is on the graphics card
     void update_cursor();
     void refresh();
 

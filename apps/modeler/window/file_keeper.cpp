@@ -6,6 +6,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QStandardPaths>
 
 #include "document/edits.h"
 #include "files/load.h"
@@ -42,15 +43,22 @@ void remember(const QString& path) {
 }
 
 QString ask_path(QWidget& window, const QString& title, QFileDialog::AcceptMode mode, const QString& start) {
-    QFileDialog dialog(&window, title, QFileInfo(start).absolutePath(),
+    const QString home = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString folder =
+        start.contains('/') ? QFileInfo(start).absolutePath() : QSettings().value("folder", home).toString();
+    QFileDialog dialog(&window, title, folder,
                        filters(mode == QFileDialog::AcceptOpen));
+    dialog.setObjectName(mode == QFileDialog::AcceptOpen ? "open_dialog" : "save_dialog");
     dialog.setAcceptMode(mode);
     dialog.setFileMode(mode == QFileDialog::AcceptOpen ? QFileDialog::ExistingFile : QFileDialog::AnyFile);
     if (mode == QFileDialog::AcceptSave) {
         dialog.setDefaultSuffix("sinew");
         dialog.selectFile(QFileInfo(start).fileName());
     }
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    if (dialog.exec() != QDialog::Accepted) return {};
+    const QString path = dialog.selectedFiles().value(0);
+    QSettings().setValue("folder", QFileInfo(path).absolutePath());
+    return path;
 }
 
 }  // namespace

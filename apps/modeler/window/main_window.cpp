@@ -63,7 +63,7 @@ MainWindow::MainWindow()
 MainWindow::~MainWindow() {
     meshes_.reset();
     // Panels listen to the model and must not hear of its end.
-    delete takeCentralWidget();
+    delete viewport_;
     qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
 }
 

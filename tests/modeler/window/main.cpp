@@ -1,0 +1,37 @@
+// The window's tests: a real window on a display that nobody looks at, in a home of its own.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QSurfaceFormat>
+
+#include "robot.h"
+#include "window/theme.h"
+
+namespace sinew::modeler {
+int draw_and_crash();  // files_test.cpp
+}
+
+int main(int argc, char** argv) {
+    using namespace sinew::modeler;
+    // A child that crashes lives in its parent's home.
+    const bool crashing = argc > 1 && std::string_view(argv[1]) == "--draw-and-crash";
+    const TemporaryFolder home;
+    if (!crashing)
+        for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"})
+            qputenv(name, home.file(name).toUtf8());
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setSamples(4);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName("Sinew");
+    QApplication::setApplicationName("ModelerTest");
+    theme::apply(application);
+    if (crashing) return draw_and_crash();
+    testing::InitGoogleTest(&argc, argv);
+    return RUN_ALL_TESTS();
+}

@@ -1,0 +1,123 @@
+#include "robot.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QDir>
+#include <QTest>
+#include <QTimer>
+#include <cstdlib>
+#include <filesystem>
+
+#include "viewport/navigation.h"
+#include "viewport/viewport.h"
+
+namespace sinew::modeler {
+namespace {
+
+constexpr int patience = 30000;  ///< milliseconds: a loaded machine of two cores
+
+}  // namespace
+
+Robot::Robot(const QString& path) : window_(std::make_unique<MainWindow>()) {
+    window_->resize(1440, 900);
+    window_->show();
+    window_->activateWindow();
+    if (!QTest::qWaitForWindowActive(window_.get(), patience)) qWarning("the window does not become active");
+    window_->start(path);
+    window_->viewport().setFocus();
+}
+
+Robot::~Robot() { close_unsaved(); }
+
+void Robot::close_unsaved() {
+    if (!window_) return;
+    window_->model().cancel();
+    window_->model().mark_saved();
+    window_->close();
+    window_.reset();
+}
+
+void Robot::look_from_front() {
+    key(Qt::Key_1, Qt::KeypadModifier);
+    Camera camera = window_->viewport().camera();
+    camera.target = Vec3::Zero();
+    camera.distance *= 11 / visible_height(camera);
+    window_->viewport().set_camera(camera);
+}
+
+QPoint Robot::pixel(const Vec3& at) {
+    const std::optional<Vec2> p = window_->viewport().screen().project(at);
+    return p ? QPoint(static_cast<int>(std::lround(p->x())), static_cast<int>(std::lround(p->y()))) : QPoint(-1, -1);
+}
+
+void Robot::click(const Vec3& at, Qt::KeyboardModifiers held) {
+    QTest::mouseMove(&window_->viewport(), pixel(at));
+    QTest::mouseClick(&window_->viewport(), Qt::LeftButton, held, pixel(at));
+}
+
+void Robot::move(const Vec3& to, Qt::KeyboardModifiers) { QTest::mouseMove(&window_->viewport(), pixel(to)); }
+
+void Robot::drag(const Vec3& from, const Vec3& to, Qt::KeyboardModifiers held) {
+    Viewport& viewport = window_->viewport();
+    const QPoint start = pixel(from), end = pixel(to);
+    // Ctrl at the press would mean the radius: it is pressed on the way.
+    QTest::mouseMove(&viewport, start);
+    QTest::mousePress(&viewport, Qt::LeftButton, held & ~Qt::ControlModifier, start);
+    for (int i = 1; i <= 4; ++i) QTest::mouseMove(&viewport, start + (end - start) * i / 4);
+    QTest::mouseRelease(&viewport, Qt::LeftButton, held, end);
+}
+
+void Robot::key(Qt::Key key, Qt::KeyboardModifiers held) {
+    QWidget* target = QApplication::focusWidget();
+    QTest::keyClick(target ? target : &window_->viewport(), key, held);
+}
+
+void Robot::type(const QString& text) {
+    QWidget* target = QApplication::focusWidget();
+    QTest::keyClicks(target ? target : &window_->viewport(), text);
+}
+
+bool Robot::wait(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, patience); }
+
+bool Robot::wait_for_mesh() {
+    return wait([this] {
+        const auto& mesh = window_->meshes().mesh();
+        return window_->meshes().up_to_date() && (mesh->error || mesh->measures);
+    });
+}
+
+void Robot::when_dialog(const QString& name, std::function<void(QDialog&)> then) {
+    auto* timer = new QTimer(window_.get());
+    QObject::connect(timer, &QTimer::timeout, window_.get(), [name, then, timer] {
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (!dialog || dialog->objectName() != name || !dialog->isVisible()) return;
+        timer->stop();
+        timer->deleteLater();
+        then(*dialog);
+    });
+    timer->start(20);
+}
+
+void Robot::screenshot(const std::string& name) {
+    QApplication::processEvents();
+    screenshot(*window_, name);
+}
+
+void Robot::screenshot(QWidget& widget, const std::string& name) {
+    QDir().mkpath(SCREENSHOT_FOLDER);
+    widget.grab().save(QString(SCREENSHOT_FOLDER) + "/" + QString::fromStdString(name) + ".png");
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "sinew-modeler-XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+QString TemporaryFolder::file(const QString& name) const { return QString::fromStdString(path_.string()) + "/" + name; }
+
+}  // namespace sinew::modeler
