@@ -10,8 +10,7 @@ namespace sinew {
 inline std::filesystem::path shared_data() {
     const char* given = std::getenv("SINEW_SHARED");
     for (std::filesystem::path folder :
-         {std::filesystem::path(given ? given : ""), std::filesystem::path(SINEW_SOURCE_FOLDER "/../shared"),
-          std::filesystem::path("/work/shared")})
+         {std::filesystem::path(given ? given : ""), std::filesystem::path(SINEW_SOURCE_FOLDER "/../shared")})
         if (!folder.empty() && std::filesystem::is_directory(folder / "data")) return folder / "data";
     return {};
 }

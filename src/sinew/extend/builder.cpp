@@ -77,7 +77,9 @@ Vec3 PlainBuilder::axis(std::int32_t i) const {
 }
 
 Frame PlainBuilder::body_frame(std::int32_t i) const {
-    if (is_root(i) || degree(i) > 2) return frame_of_body(drawn(i));
+    const bool branch = degree(i) > 2;
+    if (is_root(i) || (branch && (type(i) == NodeType::cube || drawn(i).rotation)))
+        return frame_of_body(drawn(i));
     return frame_along(axis(i), drawn(i).roll);
 }
 

@@ -37,7 +37,8 @@ class PlainBuilder {
     std::int32_t first_bone(std::int32_t i) const;
     /// z of the local frame: along the bone from the parent; at a connection the bisector of both bones.
     Vec3 axis(std::int32_t i) const;
-    /// The frame of a cube or a ball: the world's at a root and a branch, else along axis().
+    /// The frame of a cube or a ball: the world's at a root and for a cube at a branch, else along axis();
+    /// turned by the rotation where one may be given.
     Frame body_frame(std::int32_t i) const;
 
     // The plain skeleton.

@@ -219,7 +219,7 @@ class Follower {
                     worst,
                     exit_of_joint(w_.n, w_.points, side.joint, side.centre, middle / distance) - distance);
         }
-        return worst > 0.45 * r ? 2 : worst > (ball ? 0.03 : 0.18) * r ? 1 : 0;
+        return worst > 0.45 * r ? 2 : worst > (ball ? 0.02 : 0.18) * r ? 1 : 0;
     }
     /// Whether no column turns by more than 70 degrees, seen from the joint: a chord of that loses 0.18 of
     /// the radius.

@@ -23,12 +23,16 @@ class RingPlacer {
         if (!w_.closed && !w_.near.any()) add_end(false);
         for (std::int32_t i = 0; i < w_.count(); ++i) {
             if (w_.is_inner(i) && kept_[i]) add_at_node(i);
-            if (i < w_.bone_count() && w_.kind(i) == BoneKind::tube) add_on_bone(i);
+            if (i < w_.bone_count() && w_.kind(i) == BoneKind::tube && !leads_to_pit(i)) add_on_bone(i);
         }
         if (!w_.closed && !w_.far.any()) add_end(true);
     }
 
   private:
+    bool leads_to_pit(std::int32_t bone) const {
+        const auto is_pit = [&](std::int32_t i) { return w_.s.cap[w_.node(i)] == Cap::pit; };
+        return is_pit(bone) || is_pit(bone + 1);
+    }
     double edge(double radius) const { return 2 * std::sin(M_PI / w_.sides) * radius; }
     bool is_fixed(std::int32_t i) const {
         return w_.form(i) && w_.form(i)->kind == Form::Kind::ring && w_.form(i)->fixed;

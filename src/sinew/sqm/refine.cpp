@@ -13,7 +13,7 @@ namespace sinew::sqm {
 namespace {
 
 constexpr std::int32_t unknown = 0;
-constexpr double longest_on_ball = 0.9;  // radians of an arc in one piece on a ball
+constexpr double longest_on_ball = 0.6;  // radians of an arc in one piece on a ball
 constexpr int most_tries = 4;
 constexpr std::int32_t hopeless =
     1024;  // vertices round a path: far above what any joint was ever seen to need
