@@ -21,7 +21,6 @@ constexpr const char* examples = R"(Examples:
 
 Needs no display and no graphics card: it draws through EGL, with Mesa's software driver where there is no other.)";
 
-
 struct RenderCommand {
     FileOptions files;
     std::string bones;

@@ -1,4 +1,5 @@
-// Whatever stands in a .lsys file, it grows into a sound document or is refused with a place; in bounded time.
+// Whatever stands in a .lsys file, it grows into a sound document or is refused with a place; in bounded
+// time.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

@@ -46,8 +46,7 @@ QString ask_path(QWidget& window, const QString& title, QFileDialog::AcceptMode 
     const QString home = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     const QString folder =
         start.contains('/') ? QFileInfo(start).absolutePath() : QSettings().value("folder", home).toString();
-    QFileDialog dialog(&window, title, folder,
-                       filters(mode == QFileDialog::AcceptOpen));
+    QFileDialog dialog(&window, title, folder, filters(mode == QFileDialog::AcceptOpen));
     dialog.setObjectName(mode == QFileDialog::AcceptOpen ? "open_dialog" : "save_dialog");
     dialog.setAcceptMode(mode);
     dialog.setFileMode(mode == QFileDialog::AcceptOpen ? QFileDialog::ExistingFile : QFileDialog::AnyFile);

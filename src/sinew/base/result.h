@@ -1,5 +1,6 @@
 /// @file result.h
-/// Errors are values. Every function that can fail returns a Result; no exception crosses the library's surface.
+/// Errors are values. Every function that can fail returns a Result; no exception crosses the library's
+/// surface.
 #pragma once
 
 #include <cstdint>
@@ -29,15 +30,17 @@ struct Error {
     std::string path;                  ///< JSON pointer, such as /nodes/3/radius
     std::optional<std::int64_t> node;  ///< id of the node as the file has it
 
-    /// One line for people: `file:line:column: path: node 7: message; cure`, without the parts that are unknown.
+    /// One line for people: `file:line:column: path: node 7: message; cure`, without the parts that are
+    /// unknown.
     std::string text() const;
 };
 
 /// A remark that does not stop the work: one a kind, with how often it was met.
 struct Warning {
-    std::string message;             ///< for people, with the count already in it
-    std::int64_t count = 1;          ///< how many places it stands for
-    std::vector<std::int64_t> nodes; ///< ids of some of the nodes it speaks of (at most 16), for a click in a list
+    std::string message;     ///< for people, with the count already in it
+    std::int64_t count = 1;  ///< how many places it stands for
+    std::vector<std::int64_t>
+        nodes;  ///< ids of some of the nodes it speaks of (at most 16), for a click in a list
 };
 using Warnings = std::vector<Warning>;
 

@@ -18,7 +18,8 @@ struct Crease {
     float sharpness = 0;  ///< > 0; 10 and above (also infinity) never smooths out
 };
 
-/// Edges that lie on a circle (rims of flat ends, where a tube meets a ball): subdivision keeps their vertices on it.
+/// Edges that lie on a circle (rims of flat ends, where a tube meets a ball): subdivision keeps their
+/// vertices on it.
 struct Circle {
     Vec3f centre = Vec3f::Zero();
     Vec3f axis = Vec3f::UnitZ();  ///< unit normal of the circle's plane
@@ -50,9 +51,11 @@ struct QuadMesh {
     std::vector<std::uint32_t> corners;          ///< vertex indices, face after face
 
     // Where a vertex came from: empty, or one entry a vertex.
-    std::vector<std::int32_t> vertex_node;  ///< index of the nearest node in the skinned document's node array; -1 unknown
-    std::vector<std::int32_t> vertex_bone;  ///< index of the bone (see bones_of) of a tube's vertex; -1 at joints
-    std::vector<float> vertex_along;        ///< parameter along that bone in [0, 1], 0 at the bone's first node
+    std::vector<std::int32_t>
+        vertex_node;  ///< index of the nearest node in the skinned document's node array; -1 unknown
+    std::vector<std::int32_t>
+        vertex_bone;                  ///< index of the bone (see bones_of) of a tube's vertex; -1 at joints
+    std::vector<float> vertex_along;  ///< parameter along that bone in [0, 1], 0 at the bone's first node
 
     Features features;
 

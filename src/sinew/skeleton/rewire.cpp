@@ -108,8 +108,8 @@ void round_off_inner_tips(Document& document) {
 
 bool has_axes(const Node& node) {
     // A round ball has axes too: the bones that carry its bare surface stand along them.
-    return node.type == NodeType::cube || node.type == NodeType::ball || node.section == Section::rectangular ||
-           node.scale[0] != node.scale[1];
+    return node.type == NodeType::cube || node.type == NodeType::ball ||
+           node.section == Section::rectangular || node.scale[0] != node.scale[1];
 }
 
 void turn_to(Document& document, const std::vector<Bone>& bones, const Adjacency& around, std::int32_t i,

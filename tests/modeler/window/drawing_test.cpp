@@ -54,7 +54,8 @@ TEST(Window, a_tube_is_one_drag) {
     Robot robot;
     robot.look_from_front();
     robot.drag({0, 0, 0}, {0, 0, 3}, Qt::ControlModifier);
-    expect_drawn(robot.document(), {{.radius = 0.5}, {.parent = 0, .position = Vec3(0, 0, 3), .radius = 0.5}});
+    expect_drawn(robot.document(),
+                 {{.radius = 0.5}, {.parent = 0, .position = Vec3(0, 0, 3), .radius = 0.5}});
     EXPECT_EQ(robot.window().model().history().count(), 1);
     expect_solid(robot);
     EXPECT_EQ(robot.window().meshes().mesh()->components, 1);
@@ -78,8 +79,9 @@ TEST(Window, a_lollipop) {
     robot.key(Qt::Key_Return);
     robot.key(Qt::Key_6, Qt::ControlModifier);
     robot.key(Qt::Key_Home);
-    expect_drawn(robot.document(), {{.radius = 0.15},
-                                    {.parent = 0, .position = Vec3(0, 0, 3), .radius = 1.2, .type = NodeType::ball}});
+    expect_drawn(
+        robot.document(),
+        {{.radius = 0.15}, {.parent = 0, .position = Vec3(0, 0, 3), .radius = 1.2, .type = NodeType::ball}});
     EXPECT_TRUE(validate(robot.document()));
     ASSERT_TRUE(robot.wait_for_mesh());
     robot.screenshot("03-lollipop");
@@ -92,7 +94,8 @@ TEST(Window, a_ladder_with_a_mirror_and_links) {
     robot.key(Qt::Key_S);
     robot.type("0.4");
     robot.key(Qt::Key_Return);
-    // One rung from the middle, the rail up from its end; two more rungs, each from the rail to the mirror's plane.
+    // One rung from the middle, the rail up from its end; two more rungs, each from the rail to the mirror's
+    // plane.
     robot.drag({0, 0, 0}, {1, 0, 0}, Qt::ControlModifier);
     robot.drag({1, 0, 0}, {1, 0, 2}, Qt::ControlModifier);
     robot.drag({1, 0, 2}, {1, 0, 4}, Qt::ControlModifier);

@@ -47,7 +47,8 @@ void Robot::look_from_front() {
 
 QPoint Robot::pixel(const Vec3& at) {
     const std::optional<Vec2> p = window_->viewport().screen().project(at);
-    return p ? QPoint(static_cast<int>(std::lround(p->x())), static_cast<int>(std::lround(p->y()))) : QPoint(-1, -1);
+    return p ? QPoint(static_cast<int>(std::lround(p->x())), static_cast<int>(std::lround(p->y())))
+             : QPoint(-1, -1);
 }
 
 void Robot::click(const Vec3& at, Qt::KeyboardModifiers held) {
@@ -118,6 +119,8 @@ TemporaryFolder::~TemporaryFolder() {
     std::filesystem::remove_all(path_, ignored);
 }
 
-QString TemporaryFolder::file(const QString& name) const { return QString::fromStdString(path_.string()) + "/" + name; }
+QString TemporaryFolder::file(const QString& name) const {
+    return QString::fromStdString(path_.string()) + "/" + name;
+}
 
 }  // namespace sinew::modeler

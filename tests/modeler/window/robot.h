@@ -41,7 +41,8 @@ class Robot {
     /// Until the mesh shown is that of the document, and measured.
     bool wait_for_mesh();
 
-    /// What to do once a dialog of this name is open: since a dialog waits inside the call that opened it, say it before.
+    /// What to do once a dialog of this name is open: since a dialog waits inside the call that opened it,
+    /// say it before.
     void when_dialog(const QString& name, std::function<void(QDialog&)> then);
 
     /// A picture of the window in the build folder.
