@@ -61,7 +61,14 @@ Result<Outcome> ConvertCommand::mesh(const Job& job) const {
                    .json = counts_json(*read)};
 }
 
+/// A file may hold a mesh and the joints that move it: the output says which is meant.
+bool skeleton_to_skeleton(const Job& job, const FileOptions& files) {
+    return choose_format(job.input, files.from, FormatUse::read_skeleton) &&
+           choose_format(job.output, files.to, FormatUse::write_skeleton);
+}
+
 Result<Outcome> ConvertCommand::work(Session& session, const Job& job) const {
+    if (skeleton_to_skeleton(job, files)) return skeleton(session, job);
     const auto kind = is_mesh(job, files);
     if (!kind) return fail(kind.error());
     return *kind ? mesh(job) : skeleton(session, job);

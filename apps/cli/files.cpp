@@ -84,10 +84,11 @@ CLI::Validator one_of(std::vector<std::string> choices) {
 }
 
 Result<bool> is_mesh(const Job& job, const FileOptions& files) {
-    if (choose_format(job.input, files.from, FormatUse::read_skeleton)) return false;
-    const auto format = choose_format(job.input, files.from, FormatUse::read_mesh);
-    if (!format) return fail(format.error());
-    return true;
+    const bool skeleton = choose_format(job.input, files.from, FormatUse::read_skeleton).has_value();
+    const auto mesh = choose_format(job.input, files.from, FormatUse::read_mesh);
+    if (!skeleton && !mesh) return fail(mesh.error());
+    if (skeleton && mesh && job.input != "-") return read_input_mesh(job, files).has_value();
+    return mesh.has_value();
 }
 
 Result<ReadSkeleton> read_input_skeleton(Session& session, const Job& job, const FileOptions& files,

@@ -76,6 +76,7 @@ void add_grow(CLI::App& program, Session& session) {
         ->type_name("S");
     app.add_option("--set", command->constants, "Another value for a constant of the file")
         ->type_name("NAME=NUMBER")
+        ->allow_extra_args(false)
         ->check(CLI::Validator(wrong_constant, ""));
     app.add_option("--limit", command->options.limit, "Most nodes that may grow (10000000)")
         ->type_name("N")

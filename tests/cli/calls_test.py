@@ -6,7 +6,7 @@ import unittest
 from program import ProgramTest
 
 GOLDEN = pathlib.Path(__file__).parent / "golden"
-COMMANDS = ["skin", "check", "convert", "render", "grow", "subdivide", "formats"]
+COMMANDS = ["skin", "check", "convert", "render", "grow", "subdivide", "edit", "formats"]
 
 
 class Help(ProgramTest):

@@ -1,4 +1,4 @@
-"""sinew skin, convert and grow: what is written is what was asked for."""
+"""sinew skin, subdivide, convert and grow: what is written is what was asked for."""
 import json
 import math
 import unittest

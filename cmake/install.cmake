@@ -1,0 +1,17 @@
+# What `cmake --install` puts where, and how others find it: find_package(sinew), with COMPONENTS render for the renderer.
+include(CMakePackageConfigHelpers)
+set(SINEW_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/sinew)
+
+install(TARGETS sinew EXPORT sinewTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS sinew_render EXPORT sinewRenderTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+foreach(part sinew sinewRender)
+    install(EXPORT ${part}Targets NAMESPACE sinew:: DESTINATION ${SINEW_CMAKE_FOLDER})
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/sinew DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew)
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/sinewConfig.cmake.in ${CMAKE_BINARY_DIR}/sinewConfig.cmake
+    INSTALL_DESTINATION ${SINEW_CMAKE_FOLDER})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/sinewConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/sinewConfig.cmake ${CMAKE_BINARY_DIR}/sinewConfigVersion.cmake
+    DESTINATION ${SINEW_CMAKE_FOLDER})
