@@ -1,10 +1,11 @@
 #include "live/pipeline.h"
 
+#include <algorithm>
 #include <chrono>
 
-#include "document/images.h"
 #include "sinew/skeleton/validate.h"
 #include "sinew/sqm/skin.h"
+#include "sinew/subdivide/subdivide.h"
 
 namespace sinew::modeler {
 namespace {
@@ -22,47 +23,42 @@ class Watch {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// The document with the images of its symmetry drawn out; twins that coincide are one node.
-Document drawn_out(const Document& document) {
-    if (document.symmetry.kind == Symmetry::Kind::none) return document;
-    Document result = document;
-    result.symmetry = {};
-    result.names.clear();
-    result.extras.clear();
-    const auto count = static_cast<std::int32_t>(document.nodes.size());
-    std::int64_t id = 0;
-    for (const Node& node : document.nodes) id = std::max(id, node.id + 1);
-    for (Node& node : result.nodes)
-        if (is_own_twin(document.symmetry, node.position, node.radius))
-            node.position = onto_symmetry(document.symmetry, node.position);
-    const std::vector<Mat3> images = images_of(document.symmetry);
-    for (std::size_t k = 1; k < images.size(); ++k) {
-        std::vector<std::int32_t> twin(count);
-        for (std::int32_t i = 0; i < count; ++i) {
-            Node node = document.nodes[i];
-            twin[i] = i;
-            if (is_own_twin(document.symmetry, node.position, node.radius)) continue;
-            node.position = images[k] * node.position;
-            node.id = id++;
-            twin[i] = static_cast<std::int32_t>(result.nodes.size());
-            result.nodes.push_back(node);
-        }
-        for (std::int32_t i = 0; i < count; ++i)
-            if (const std::int32_t parent = document.nodes[i].parent; parent >= 0) {
-                if (twin[i] != i)
-                    result.nodes[twin[i]].parent = twin[parent];
-                else if (twin[parent] != parent)
-                    result.links.push_back({twin[parent], i});
-            }
-        for (auto [a, b] : document.links)
-            if (twin[a] != a || twin[b] != b) result.links.push_back({twin[a], twin[b]});
-    }
-    return result;
+bool same_topology(const QuadMesh& a, const QuadMesh& b) {
+    const Features &f = a.features, &g = b.features;
+    const auto same_creases = [&] {
+        return std::equal(
+            f.creases.begin(), f.creases.end(), g.creases.begin(), g.creases.end(),
+            [](const Crease& x, const Crease& y) { return x.edge == y.edge && x.sharpness == y.sharpness; });
+    };
+    return a.vertex_count() == b.vertex_count() && a.corners == b.corners &&
+           a.face_offsets == b.face_offsets && f.corners == g.corners && f.poles == g.poles &&
+           f.circles.size() == g.circles.size() && f.planes.size() == g.planes.size() && same_creases();
 }
 
 }  // namespace
 
-struct Pipeline::Memory {};
+/// The tables of the last topology: a drag changes positions only.
+struct Pipeline::Memory {
+    QuadMesh control;
+    SubdivideOptions options;
+    std::optional<Subdivider> subdivider;
+
+    Result<QuadMesh> refine(QuadMesh&& mesh, const SubdivideOptions& wanted, const Progress& progress) {
+        const bool known = subdivider && options.levels == wanted.levels && options.limit == wanted.limit &&
+                           same_topology(control, mesh);
+        if (!known || !subdivider->refine(mesh)) {
+            auto built = Subdivider::build(mesh, wanted, progress);
+            if (!built) {
+                subdivider.reset();
+                return fail(built.error());
+            }
+            subdivider.emplace(std::move(*built));
+        }
+        control = std::move(mesh);
+        options = wanted;
+        return subdivider->mesh();
+    }
+};
 
 Pipeline::Pipeline() : memory_(std::make_unique<Memory>()) {}
 Pipeline::~Pipeline() = default;
@@ -77,7 +73,7 @@ LiveMesh Pipeline::run(const Document& document, const MeshOptions& options, con
     }
     const bool limit = options.to_limit && options.level > 0;
     auto skinned =
-        skin(drawn_out(document),
+        skin(document,
              {.sides = options.sides, .fit = limit ? Fit::limit : Fit::control, .repair = options.repair},
              progress);
     result.skin_ms = watch.lap();
@@ -89,6 +85,16 @@ LiveMesh Pipeline::run(const Document& document, const MeshOptions& options, con
     result.components = skinned->components;
     result.cycles = skinned->cycles;
     result.irregular_at_most = skinned->irregular;
+    if (options.level > 0) {
+        auto finer =
+            memory_->refine(std::move(skinned->mesh), {.levels = options.level, .limit = limit}, progress);
+        if (!finer) {
+            result.error = finer.error();
+            return result;
+        }
+        skinned->mesh = std::move(*finer);
+        result.subdivide_ms = watch.lap();
+    }
     result.mesh = std::make_shared<const QuadMesh>(std::move(skinned->mesh));
     if (with_buffers) result.buffers = std::make_shared<const MeshBuffers>(mesh_buffers(*result.mesh));
     result.buffers_ms = watch.lap();
