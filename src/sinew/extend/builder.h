@@ -22,7 +22,8 @@ class PlainBuilder {
     std::int32_t node_count() const { return static_cast<std::int32_t>(graph_.position.size()); }
     const Node& drawn(std::int32_t i) const { return document_.nodes[graph_.source_node[i]]; }
     NodeType type(std::int32_t i) const { return drawn(i).type; }
-    bool is_root(std::int32_t i) const { return drawn(i).parent < 0; }
+    /// Also one whose bones were all repaired away.
+    bool is_root(std::int32_t i) const { return drawn(i).parent < 0 || degree(i) == 0; }
     bool is_plain_ball(
         std::int32_t i) const;  ///< a round, unscaled, smooth sphere that nothing is special about
     bool is_pit(std::int32_t i) const;
