@@ -23,7 +23,7 @@ class VertexImages {
         for (std::int32_t p = 0; p < n_.path_count(); ++p)
             if (!path(p)) return {};
         capped();
-        if (!lone() || !is_permutation() || !is_near()) return {};
+        if (!lone() || !is_permutation()) return {};
         return std::move(image_);
     }
 
@@ -172,17 +172,6 @@ class VertexImages {
         return true;
     }
 
-    /// Rings of an odd number of vertices, turned as the world's axes have it, are not symmetric in every
-    /// mirror.
-    bool is_near() const {
-        double extent = 0, farthest = 0;
-        for (std::size_t v = 0; v < image_.size(); ++v) {
-            extent = std::max(extent, positions_[v].cwiseAbs().maxCoeff());
-            farthest = std::max(
-                farthest, (images_.generator * positions_[v] - positions_[image_[v]]).cwiseAbs().maxCoeff());
-        }
-        return farthest <= 1e-6 * extent;
-    }
     bool is_permutation() const {
         std::vector<std::uint8_t> hit(image_.size(), 0);
         for (const std::uint32_t v : image_) {
