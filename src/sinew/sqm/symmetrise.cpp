@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sinew::sqm {
 namespace {
@@ -24,6 +25,7 @@ class VertexImages {
             if (!path(p)) return {};
         capped();
         if (!lone() || !is_permutation()) return {};
+        for (std::int32_t p = 0; p < n_.path_count(); ++p) leave_askew(p);
         return std::move(image_);
     }
 
@@ -172,6 +174,25 @@ class VertexImages {
         return true;
     }
 
+    /// A ring that has corners where its neighbours have sides in the mirror cannot be symmetric together
+    /// with them: such a ring keeps its shape.
+    void leave_askew(std::int32_t p) {
+        const std::int32_t n = d_.refinement.path_sides[p], first = d_.stations.first[p];
+        for (std::int32_t i = first; i < d_.stations.first[p + 1]; ++i) {
+            const Station& station = d_.stations.stations[i];
+            const bool free = station.shape == RingShape::follow || station.shape == RingShape::pit;
+            const double far = 0.09 * (free ? d_.skeleton.radius[station.node] : station.half.minCoeff());
+            const std::uint32_t ring = bridge_.path_vertex[p] + (i - first) * n;
+            for (std::uint32_t v = ring; v < ring + n; ++v)
+                if (image_[v] != no_vertex &&
+                    (images_.generator * positions_[v] - positions_[image_[v]]).norm() > far)
+                    release_orbit(v);
+        }
+    }
+    void release_orbit(std::uint32_t v) {
+        while (image_[v] != no_vertex) v = std::exchange(image_[v], no_vertex);
+    }
+
     bool is_permutation() const {
         std::vector<std::uint8_t> hit(image_.size(), 0);
         for (const std::uint32_t v : image_) {
@@ -200,6 +221,7 @@ std::vector<std::uint32_t> vertex_images(const Parts& parts, const Images& image
 void make_symmetric(const Images& images, std::span<const std::uint32_t> vertex_image,
                     std::span<Vec3> positions) {
     for (std::uint32_t v = 0; v < vertex_image.size(); ++v) {
+        if (vertex_image[v] == no_vertex) continue;
         // Only the first of an orbit leads: the others have an image of a lower index on their way round.
         Vec3 sum = positions[v], point = positions[v];
         std::int32_t returns = 0, steps = 0;

@@ -11,7 +11,8 @@
 
 namespace sinew::sqm {
 
-/// Vertex -> its image under the generator. Empty if the tubes do not follow the symmetry of the joints.
+/// Vertex -> its image under the generator; no_vertex for those of rings that cannot have one. Empty if the
+/// tubes do not follow the symmetry of the joints.
 std::vector<std::uint32_t> vertex_images(const Parts& parts, const Images& images, const Bridge& bridge,
                                          std::span<const Vec3> positions);
 
