@@ -8,6 +8,15 @@
 
 namespace sinew::property {
 
+bool is_plain(const Document& document) {
+    return document.symmetry.kind == Symmetry::Kind::none &&
+           std::all_of(document.nodes.begin(), document.nodes.end(), [](const Node& n) {
+               return (n.type == NodeType::sphere || n.type == NodeType::cone) &&
+                      n.section == Section::round && n.scale == std::array<double, 3>{1, 1, 1} &&
+                      n.joint == 0;
+           });
+}
+
 double least_angle(const Document& document) {
     const std::vector<Bone> bones = bones_of(document);
     std::vector<std::vector<Vec3>> directions(document.nodes.size());

@@ -6,6 +6,9 @@
 
 namespace sinew::property {
 
+/// Nothing but balls and cones, as they are by default, and no symmetry drawn.
+bool is_plain(const Document& document);
+
 /// The least angle between two bones at one node, in radians; 0 where a bone has no length.
 double least_angle(const Document& document);
 

@@ -14,6 +14,7 @@
 #include "sinew/mesh/measure.h"
 #include "sinew/mesh/validate.h"
 #include "sinew/skeleton/graph.h"
+#include "sinew/skeleton/symmetry.h"
 #include "sinew/skeleton/validate.h"
 
 namespace sinew::property {
@@ -21,7 +22,12 @@ namespace {
 
 /// Components and cycles once bones of no length are merged and duplicates dropped: all that conditioning may
 /// change of them.
-GraphCounts expected_counts(const Document& document) {
+GraphCounts expected_counts(const Document& drawn) {
+    const Document document =
+        drawn.symmetry.kind == Symmetry::Kind::none ? drawn : expand_symmetry(drawn).document;
+    const auto is_ball = [](const Node& n) {  // others are drawn at distance zero on purpose
+        return n.type == NodeType::sphere && n.section == Section::round;
+    };
     const std::vector<Bone> bones = bones_of(document);
     std::vector<std::int32_t> parent(document.nodes.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -33,7 +39,7 @@ GraphCounts expected_counts(const Document& document) {
     for (const auto& [a, b] : bones) {
         const Node &u = document.nodes[a], &v = document.nodes[b];
         const bool together = (u.position - v.position).norm() <= 1e-9 * std::max(u.radius, v.radius);
-        if (!together || root(a) == root(b)) continue;
+        if (!together || root(a) == root(b) || !is_ball(u) || !is_ball(v)) continue;
         parent[root(a)] = root(b);
         ++merged;
     }
@@ -49,7 +55,7 @@ GraphCounts expected_counts(const Document& document) {
 
 /// Fitting the smooth surface moves small joints between large balls so far that they may turn inside out.
 bool is_outward_due(const Case& tried) {
-    return tried.options.fit == Fit::control && has_room(tried.document);
+    return tried.options.fit == Fit::control && is_plain(tried.document) && has_room(tried.document);
 }
 
 std::string topology(const Skin& skin, const GraphCounts& counts, bool outward) {
@@ -109,6 +115,47 @@ std::string origins(const Skin& skin, const Document& document) {
     return {};
 }
 
+/// A distance that rounding to single precision explains.
+float rounding_of(const QuadMesh& mesh) {
+    Vec3f low = mesh.positions[0], high = low;
+    for (const Vec3f& p : mesh.positions) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    return 1e-4f * (high - low).norm() + 1e-6f * std::max(low.norm(), high.norm());
+}
+
+/// What subdivision must keep is there, and is so to begin with.
+std::string features(const Case& tried, const QuadMesh& mesh) {
+    const Topology topology = build_topology(mesh);
+    const auto is_edge = [&](const MeshEdge& edge) { return find_edge(topology, edge) != no_index; };
+    for (const Crease& crease : mesh.features.creases)
+        if (!is_edge(crease.edge) || !(crease.sharpness > 0))
+            return "features: a crease is no edge, or not sharp";
+    for (const std::uint32_t corner : mesh.features.corners)
+        if (corner >= mesh.vertex_count()) return "features: a corner is no vertex";
+    const float near = rounding_of(mesh);
+    const bool as_drawn = tried.options.fit == Fit::control;  // otherwise they hold of the smooth surface
+    for (const Circle& circle : mesh.features.circles)
+        for (const MeshEdge& edge : circle.edges) {
+            if (!is_edge(edge)) return "features: the edge of a circle is none";
+            const Vec3f from = mesh.positions[edge[0]] - circle.centre;
+            if (as_drawn &&
+                (std::abs(from.norm() - circle.radius) > near || std::abs(from.dot(circle.axis)) > near))
+                return fmt::format("features: vertex {} is off its circle by {} and {}", edge[0],
+                                   from.norm() - circle.radius, from.dot(circle.axis));
+        }
+    const auto& nodes = tried.document.nodes;
+    const bool pressed =
+        std::any_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.type == NodeType::negative; });
+    for (const Plane& plane : mesh.features.planes)
+        for (const std::uint32_t face : plane.faces) {
+            if (face >= mesh.face_count()) return "features: the face of a plane is none";
+            for (const std::uint32_t v : mesh.face(face))
+                if (as_drawn && !pressed &&
+                    std::abs((mesh.positions[v] - plane.point).dot(plane.normal)) > near)
+                    return fmt::format("features: vertex {} is not in its plane", v);
+        }
+    return {};
+}
+
 template <class T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
@@ -129,14 +176,27 @@ std::string repeatable(const Case& tried, const Skin& skin) {
     });
 }
 
-std::string scalable(const Case& tried, const Skin& skin) {
+/// What is left of zeros by rounding can be too small for single precision once it is scaled.
+void drop_smallest(QuadMesh& mesh) {
+    for (Vec3f& p : mesh.positions)
+        for (float& x : p)
+            if (std::abs(x) < 1e-28f) x = 0;
+}
+
+std::string scalable(const Case& tried, QuadMesh mesh) {
     Document scaled = tried.document;
-    const double factor = tried.document.nodes.size() % 2 == 0 ? 0x1p-7 : 0x1p9;
-    for (Node& node : scaled.nodes) node.position *= factor, node.radius *= factor;
+    const double factor = tried.document.nodes.size() % 2 == 0 ? 0x1p-30 : 0x1p9;
+    for (Node& node : scaled.nodes) {
+        node.position *= factor;
+        node.radius *= factor;
+        if (node.size) *node.size *= factor;
+    }
     auto result = sinew::skin(scaled, tried.options);
     if (!result) return "scalable: fails when scaled";
     for (Vec3f& p : result->mesh.positions) p *= static_cast<float>(1 / factor);
-    return same_bytes(result->mesh, skin.mesh) ? "" : "scalable: other bytes when scaled by a power of two";
+    drop_smallest(result->mesh);
+    drop_smallest(mesh);
+    return same_bytes(result->mesh, mesh) ? "" : "scalable: other bytes when scaled by a power of two";
 }
 
 /// Some skeletons have more than one answer, of which an image may get another one: an odd ring cannot be
@@ -145,7 +205,8 @@ std::string scalable(const Case& tried, const Skin& skin) {
 bool has_one_answer(const Case& tried) {
     for (const char* kind : {"lattice", "planar", "star", "closed"})
         if (tried.kind == kind) return false;
-    return tried.options.sides % 2 == 0 && !tried.options.repair && least_angle(tried.document) > 0.2;
+    return is_plain(tried.document) && tried.options.sides % 2 == 0 && !tried.options.repair &&
+           least_angle(tried.document) > 0.2;
 }
 
 std::string mirrors(const Case& tried, const Skin& skin) {
@@ -162,7 +223,7 @@ std::string mirrors(const Case& tried, const Skin& skin) {
 /// rings cannot be symmetric too. Not where bones leave a joint side by side, nor after repair, which may
 /// keep one of two twins.
 std::string symmetric(const Case& tried, const Skin& skin) {
-    if (tried.options.repair || least_angle(tried.document) < 0.2) return {};
+    if (!is_plain(tried.document) || tried.options.repair || least_angle(tried.document) < 0.2) return {};
     bool exact = true;
     for (int axis = 0; axis < 3; ++axis) {
         if (!is_own_image(tried.document, axis)) continue;
@@ -189,8 +250,9 @@ std::string failure_of(const Case& tried) {
     std::string failure = topology(*skin, expected_counts(tried.document), is_outward_due(tried));
     if (failure.empty()) failure = faces(*skin);
     if (failure.empty()) failure = origins(*skin, tried.document);
+    if (failure.empty()) failure = features(tried, skin->mesh);
     if (failure.empty()) failure = repeatable(tried, *skin);
-    if (failure.empty()) failure = scalable(tried, *skin);
+    if (failure.empty()) failure = scalable(tried, skin->mesh);
     if (failure.empty()) failure = symmetric(tried, *skin);
     if (failure.empty()) failure = mirrors(tried, *skin);
     return failure;

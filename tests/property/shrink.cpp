@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sinew/skeleton/graph.h"
+
 namespace sinew::property {
 namespace {
 
@@ -40,6 +42,9 @@ class Shrinker {
         const SkinOptions plain;
         if (best_.options.sides != 0) better |= attempt([](Case& c) { c.options.sides = 0; });
         if (best_.options.repair) better |= attempt([](Case& c) { c.options.repair = false; });
+        better |= use_links_only();
+        if (best_.document.symmetry.kind != Symmetry::Kind::none)
+            better |= attempt([](Case& c) { c.document.symmetry = {}; });
         if (best_.options.fit != plain.fit) better |= attempt([&](Case& c) { c.options.fit = plain.fit; });
         return better;
     }
@@ -57,10 +62,12 @@ class Shrinker {
         }
         std::vector<std::array<std::int32_t, 2>> links;
         std::vector<std::int32_t> loose;
-        for (const auto& [a, b] : c.document.links) {
-            if (moved[a] >= 0 && moved[b] >= 0) links.push_back({moved[a], moved[b]});
+        for (const auto& [a, b] : bones_of(c.document))
             if ((moved[a] < 0) != (moved[b] < 0)) loose.push_back(std::max(moved[a], moved[b]));
-        }
+        for (const auto& [a, b] : c.document.links)
+            if (moved[a] >= 0 && moved[b] >= 0) links.push_back({moved[a], moved[b]});
+        for (Node& node : nodes)
+            if (node.parent >= 0) node.parent = moved[node.parent];
         for (std::size_t i = 0; bridge && i + 1 < loose.size(); ++i)
             if (loose[i] != loose[i + 1]) links.push_back({loose[i], loose[i + 1]});
         c.document.links = std::move(links);
@@ -77,6 +84,15 @@ class Shrinker {
         return i;
     }
     std::int32_t node_count() const { return static_cast<std::int32_t>(best_.document.nodes.size()); }
+
+    bool use_links_only() {
+        const bool any = std::any_of(best_.document.nodes.begin(), best_.document.nodes.end(),
+                                     [](const Node& n) { return n.parent >= 0; });
+        return any && attempt([](Case& c) {
+                   c.document.links = bones_of(c.document);
+                   for (Node& node : c.document.nodes) node.parent = -1;
+               });
+    }
 
     bool remove_nodes() {
         bool better = false;
@@ -134,10 +150,7 @@ class Shrinker {
             for (int axis = -1; axis < 3; ++axis) {
                 const std::int32_t j = twin(i, axis);
                 if (axis >= 0 && j == i) continue;
-                if (best_.document.nodes[i].type != NodeType::sphere)
-                    better |= attempt([&](Case& c) {
-                        c.document.nodes[i].type = c.document.nodes[j].type = NodeType::sphere;
-                    });
+                better |= simplify_kind(i, j);
                 better |= round_number(
                     best_.document.nodes[i].radius,
                     [&](Case& c, double to) { c.document.nodes[i].radius = c.document.nodes[j].radius = to; },
@@ -151,6 +164,28 @@ class Shrinker {
                         },
                         0);
             }
+        return better;
+    }
+    /// Takes away what makes two nodes (or one) more than balls, one thing after the other.
+    bool simplify_kind(std::int32_t i, std::int32_t j) {
+        const Node plain, node = best_.document.nodes[i];
+        bool better = false;
+        const auto reset = [&](auto Node::*member) {
+            if (node.*member == plain.*member) return;
+            better |= attempt(
+                [&](Case& c) { c.document.nodes[i].*member = c.document.nodes[j].*member = plain.*member; });
+        };
+        reset(&Node::type);
+        reset(&Node::section);
+        reset(&Node::scale);
+        reset(&Node::size);
+        reset(&Node::roll);
+        reset(&Node::joint);
+        if (node.rotation)
+            better |= attempt([&](Case& c) {
+                c.document.nodes[i].rotation.reset();
+                c.document.nodes[j].rotation.reset();
+            });
         return better;
     }
     /// The plainest of: a given number, a whole one, one of few digits.
