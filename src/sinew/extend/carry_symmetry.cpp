@@ -30,18 +30,6 @@ class BySource {
     const std::vector<std::int32_t>& source_;
 };
 
-bool bones_follow(const Plain& s, const std::vector<std::int32_t>& image) {
-    const auto sorted = [](std::vector<Bone> bones) {
-        for (Bone& b : bones)
-            if (b[0] > b[1]) std::swap(b[0], b[1]);
-        std::sort(bones.begin(), bones.end());
-        return bones;
-    };
-    std::vector<Bone> images;
-    for (const Bone& b : s.bones) images.push_back({image[b[0]], image[b[1]]});
-    return sorted(s.bones) == sorted(std::move(images));
-}
-
 }  // namespace
 
 Automorphism carry_symmetry(const Plain& s, const Mat3& generator, std::int32_t order,

@@ -23,7 +23,7 @@ class MirrorSearch {
             if (j < 0 || !forms_match(i, j)) return {};
             image.push_back(j);
         }
-        return bones_follow(image) ? image : std::vector<std::int32_t>{};
+        return bones_follow(s_, image) ? image : std::vector<std::int32_t>{};
     }
 
   private:
@@ -72,17 +72,6 @@ class MirrorSearch {
             along(reflected(a->x), b->y) && (a->half - swapped).norm() <= 1e-9 * a->half.norm();
         return along(reflected(a->z), b->z) && (straight || crossed) && a->section == b->section &&
                a->sharpness == b->sharpness;
-    }
-    bool bones_follow(const std::vector<std::int32_t>& image) const {
-        const auto sorted = [](std::vector<Bone> bones) {
-            for (Bone& b : bones)
-                if (b[0] > b[1]) std::swap(b[0], b[1]);
-            std::sort(bones.begin(), bones.end());
-            return bones;
-        };
-        std::vector<Bone> images;
-        for (const Bone& b : s_.bones) images.push_back({image[b[0]], image[b[1]]});
-        return sorted(s_.bones) == sorted(std::move(images));
     }
 
     const Plain& s_;

@@ -82,4 +82,7 @@ struct Plain {
     bool is_body(std::int32_t node) const { return form(node) && form(node)->kind != Form::Kind::ring; }
 };
 
+/// Whether the bones, taken to the images of their nodes, are the same bones.
+bool bones_follow(const Plain& skeleton, const std::vector<std::int32_t>& image);
+
 }  // namespace sinew
