@@ -1,0 +1,129 @@
+// Small skeletons, and the stages of sqm run on them one after the other.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <span>
+#include <vector>
+
+#include "property/random.h"
+#include "sinew/extend/extend.h"
+#include "sinew/sqm/bridge.h"
+#include "sinew/sqm/place.h"
+#include "sinew/sqm/refine.h"
+
+namespace sinew::sqm {
+
+inline std::int32_t add(Document& document, std::int32_t parent, const Vec3& position, double radius) {
+    Node node;
+    node.id = std::ssize(document.nodes);
+    node.parent = parent;
+    node.position = position;
+    node.radius = radius;
+    document.nodes.push_back(node);
+    return static_cast<std::int32_t>(node.id);
+}
+
+/// Balls at the given places, one after the other.
+inline Document chain(std::span<const Vec3> places, double radius) {
+    Document d;
+    for (const Vec3& place : places) add(d, static_cast<std::int32_t>(d.nodes.size()) - 1, place, radius);
+    return d;
+}
+
+/// A ball in the middle and a bone in each direction.
+inline Document star(std::span<const Vec3> directions, double length = 3, double radius = 0.25) {
+    Document d;
+    add(d, -1, Vec3::Zero(), radius);
+    for (const Vec3& direction : directions) add(d, 0, length * direction, radius);
+    return d;
+}
+
+inline std::vector<Vec3> random_directions(property::Random& random, int count) {
+    std::vector<Vec3> directions;
+    for (int i = 0; i < count; ++i) directions.push_back(random.direction());
+    return directions;
+}
+
+/// Directions evenly round z.
+inline std::vector<Vec3> fan(int count) {
+    std::vector<Vec3> directions;
+    for (int i = 0; i < count; ++i)
+        directions.push_back({std::cos(2 * M_PI * i / count), std::sin(2 * M_PI * i / count), 0});
+    return directions;
+}
+
+/// Eight nodes and twelve bones: a cube of struts.
+inline Document cube_of_struts(double size = 4, double radius = 0.3) {
+    Document d;
+    for (int i = 0; i < 8; ++i) {
+        const int parent = i == 0 ? -1 : i & 1 ? i ^ 1 : i & 2 ? i ^ 2 : i ^ 4;
+        add(d, parent, size * Vec3(i & 1, (i >> 1) & 1, i >> 2), radius);
+    }
+    d.links = {{1, 3}, {1, 5}, {3, 7}, {5, 7}, {2, 6}};
+    return d;
+}
+
+/// A tree whose nodes have enough room: its joints are `levels` deep and part into two or three.
+inline Document random_tree(property::Random& random, int levels) {
+    Document d;
+    add(d, -1, Vec3::Zero(), 0.3);
+    std::vector<std::int32_t> tips{0};
+    for (int level = 0; level < levels; ++level) {
+        std::vector<std::int32_t> next;
+        for (const std::int32_t tip : tips)
+            for (int i = random.whole(2, 3); i > 0; --i)
+                next.push_back(add(d, tip, d.nodes[tip].position + 4.0 * random.direction(), 0.3));
+        tips = next;
+    }
+    return d;
+}
+
+inline Document mirrored(const Document& half) {
+    Document d = half;
+    d.symmetry = {Symmetry::Kind::mirror, 0, 1};
+    return d;
+}
+
+/// What conditioning and extending make of a document, with the mirror that it has.
+inline Plain plain_of(const Document& document) {
+    Warnings warnings;
+    Plain plain = extend(document, condition(document), warnings);
+    plain.symmetry = find_mirror(plain);
+    return plain;
+}
+
+/// All stages before the faces.
+struct Stages {
+    Plain skeleton;
+    Network network;
+    Polyhedra polyhedra;
+    Images images;
+    Refinement refinement;
+    JointPoints points;
+    Stations stations;
+
+    explicit Stages(const Document& document, int sides = 0) : Stages(plain_of(document), sides) {}
+    explicit Stages(Plain plain, int sides = 0)
+        : skeleton(std::move(plain)),
+          network(find_network(skeleton)),
+          polyhedra(make_polyhedra(skeleton, network).value()),
+          images(find_images(skeleton, network, polyhedra)),
+          refinement(refine(skeleton, network, polyhedra, images, {.sides = sides}).value()),
+          points(make_joint_points(skeleton, network, polyhedra, refinement)),
+          stations(make_stations(skeleton, network, polyhedra, refinement, points)) {}
+    Stages(const Stages&) = delete;
+
+    Parts parts() const { return {skeleton, network, polyhedra, refinement, points, stations}; }
+    std::int32_t ring_count(std::int32_t path) const {
+        return stations.first[path + 1] - stations.first[path];
+    }
+    /// Vertices round a cell.
+    std::int32_t round_cell(std::int32_t cell) const {
+        std::int32_t sum = 0;
+        for (const CellSide& side : polyhedra.cell(cell)) sum += refinement.pieces[side.arc];
+        return sum;
+    }
+};
+
+}  // namespace sinew::sqm
