@@ -75,8 +75,7 @@ bool CountProblem::take_walk(std::int32_t cell) {
             const bool lacks = state % 2 == 0;
             for (std::int32_t i = arc_first_[at]; i < arc_first_[at + 1] && end < 0; ++i) {
                 const std::int32_t arc = cell_arcs_[i], beyond = other(arcs[arc], at);
-                if (beyond == at || (!lacks && (blocked_[arc] || arcs[arc].pieces <= arcs[arc].least)))
-                    continue;
+                if (!lacks && (blocked_[arc] || arcs[arc].pieces <= arcs[arc].least)) continue;
                 if (beyond < 0) {
                     steps_.push_back({arc, state});  // an arc of one cell: the walk ends in the open
                     end = static_cast<std::int32_t>(steps_.size()) - 1;
