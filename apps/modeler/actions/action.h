@@ -7,6 +7,7 @@
 #include <string>
 
 #include "document/model.h"
+#include "document/operation.h"
 #include "document/view_settings.h"
 #include "tools/interaction.h"
 
@@ -28,6 +29,7 @@ class Host {
     virtual void start(Modal modal) = 0;  ///< with the pointer where it is
     virtual void insert_node() = 0;       ///< on the bone under the pointer, else on those of the selection
     virtual void rename_active() = 0;
+    virtual void perform(Operation operation) = 0;  ///< at once; its figures can be adjusted afterwards
     virtual void edit_radial_symmetry() = 0;
     virtual void type_menu() = 0;  ///< at the pointer
     virtual void look_from(StandardView view) = 0;
@@ -75,11 +77,14 @@ std::vector<const Action*> search_actions(std::string_view text);
 /// The table of keys for the docs, in Markdown.
 std::string keys_as_markdown();
 
-// The parts of the table, one a menu.
+// The parts of the table, in the order of the menus.
 std::span<const Action> file_actions();
 std::span<const Action> edit_actions();
 std::span<const Action> select_actions();
-std::span<const Action> skeleton_actions();
+std::span<const Action> drawing_actions();
+std::span<const Action> operation_actions();
+std::span<const Action> type_actions();
+std::span<const Action> symmetry_actions();
 std::span<const Action> view_actions();
 std::span<const Action> help_actions();
 

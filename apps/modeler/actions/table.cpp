@@ -42,8 +42,9 @@ int mismatch(const Action& action, std::string_view wanted) {
 
 std::vector<Action> gathered() {
     std::vector<Action> all;
-    for (auto part : {file_actions(), edit_actions(), select_actions(), skeleton_actions(), view_actions(),
-                      help_actions()})
+    for (auto part :
+         {file_actions(), edit_actions(), select_actions(), drawing_actions(), operation_actions(),
+          type_actions(), symmetry_actions(), view_actions(), help_actions()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

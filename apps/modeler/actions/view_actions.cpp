@@ -1,33 +1,16 @@
+#include "actions/choices.h"
 #include "actions/enabled.h"
 
 namespace sinew::modeler {
 namespace {
 
-template <bool ViewSettings::*setting>
-void flip(Context& c) {
-    c.view.*setting = !(c.view.*setting);
-}
-template <bool ViewSettings::*setting>
-bool on(const Context& c) {
-    return c.view.*setting;
-}
 template <int level>
 void set_level(Context& c) {
     c.view.level = level;
     c.view.live = true;
 }
-template <int level>
-bool has_level(const Context& c) {
-    return c.view.level == level;
-}
-template <Shading shading>
-void set_shading(Context& c) {
-    c.view.shading = shading;
-}
-template <Shading shading>
-bool has_shading(const Context& c) {
-    return c.view.shading == shading;
-}
+void flip_xray(Context& c) { c.view.opacity = c.view.opacity < 1 ? 1 : see_through; }
+
 template <StandardView view>
 void look(Context& c) {
     c.host.look_from(view);
@@ -36,36 +19,41 @@ void look(Context& c) {
 const Action table[] = {
     {"view.live", "Live mesh", "Space",
      "Skins the skeleton, and again after every edit; off: the bones alone", Menu::view,
-     flip<&ViewSettings::live>, nullptr, on<&ViewSettings::live>, false, true, true},
+     flip<&ViewSettings::live>, nullptr, is_on<&ViewSettings::live>, false, true, true},
     {"view.level0", "Level > Control mesh", "0", "Shows the mesh without subdivision", Menu::view,
-     set_level<0>, nullptr, has_level<0>},
-    {"view.level1", "Level > 1", "1", "Subdivides once", Menu::view, set_level<1>, nullptr, has_level<1>},
-    {"view.level2", "Level > 2", "2", "Subdivides twice", Menu::view, set_level<2>, nullptr, has_level<2>},
+     set_level<0>, nullptr, is_chosen<&ViewSettings::level, 0>},
+    {"view.level1", "Level > 1", "1", "Subdivides once", Menu::view, set_level<1>, nullptr,
+     is_chosen<&ViewSettings::level, 1>},
+    {"view.level2", "Level > 2", "2", "Subdivides twice", Menu::view, set_level<2>, nullptr,
+     is_chosen<&ViewSettings::level, 2>},
     {"view.level3", "Level > 3", "3", "Subdivides three times", Menu::view, set_level<3>, nullptr,
-     has_level<3>},
+     is_chosen<&ViewSettings::level, 3>},
     {"view.level4", "Level > 4", "4", "Subdivides four times", Menu::view, set_level<4>, nullptr,
-     has_level<4>},
+     is_chosen<&ViewSettings::level, 4>},
+    {"view.level5", "Level > 5", "5", "Subdivides five times", Menu::view, set_level<5>, nullptr,
+     is_chosen<&ViewSettings::level, 5>},
     {"view.wire", "Wireframe", "W", "Draws the edges of the faces", Menu::view, flip<&ViewSettings::wire>,
-     nullptr, on<&ViewSettings::wire>, true, true},
-    {"view.lit", "Shading > Lit", "Alt+1", "Soft light", Menu::view, set_shading<Shading::lit>, nullptr,
-     has_shading<Shading::lit>},
+     nullptr, is_on<&ViewSettings::wire>, true, true},
+    {"view.lit", "Shading > Lit", "Alt+1", "Soft light", Menu::view,
+     choose<&ViewSettings::shading, Shading::lit>, nullptr, is_chosen<&ViewSettings::shading, Shading::lit>},
     {"view.matcap", "Shading > Matcap", "Alt+2", "Shows form and nothing else", Menu::view,
-     set_shading<Shading::matcap>, nullptr, has_shading<Shading::matcap>},
-    {"view.flat", "Shading > Flat", "Alt+3", "Every face on its own", Menu::view, set_shading<Shading::flat>,
-     nullptr, has_shading<Shading::flat>},
-    {"view.xray", "See through", "Alt+X", "Lets the bones be seen inside the mesh", Menu::view,
-     [](Context& c) { c.view.opacity = c.view.opacity < 1 ? 1 : 0.45; }, nullptr,
-     [](const Context& c) { return c.view.opacity < 1; }, false, true},
+     choose<&ViewSettings::shading, Shading::matcap>, nullptr,
+     is_chosen<&ViewSettings::shading, Shading::matcap>},
+    {"view.flat", "Shading > Flat", "Alt+3", "Every face on its own", Menu::view,
+     choose<&ViewSettings::shading, Shading::flat>, nullptr,
+     is_chosen<&ViewSettings::shading, Shading::flat>},
+    {"view.xray", "See through", "Alt+X", "Lets the bones be seen inside the mesh", Menu::view, flip_xray,
+     nullptr, [](const Context& c) { return c.view.opacity < 1; }, false, true},
     {"view.bones", "Bones", "Alt+B", "Shows nodes and bones", Menu::view, flip<&ViewSettings::bones>, nullptr,
-     on<&ViewSettings::bones>},
+     is_on<&ViewSettings::bones>},
     {"view.irregular", "Irregular vertices", "Alt+I", "Marks vertices where not four edges meet, and poles",
-     Menu::view, flip<&ViewSettings::irregular>, nullptr, on<&ViewSettings::irregular>},
+     Menu::view, flip<&ViewSettings::irregular>, nullptr, is_on<&ViewSettings::irregular>},
     {"view.creases", "Creases", "Alt+C", "Marks edges that stay sharp", Menu::view,
-     flip<&ViewSettings::creases>, nullptr, on<&ViewSettings::creases>},
+     flip<&ViewSettings::creases>, nullptr, is_on<&ViewSettings::creases>},
     {"view.names", "Names", "Alt+N", "Writes the names of nodes beside them", Menu::view,
-     flip<&ViewSettings::names>, nullptr, on<&ViewSettings::names>},
+     flip<&ViewSettings::names>, nullptr, is_on<&ViewSettings::names>},
     {"view.grid", "Grid", "Alt+G", "Draws the ground", Menu::view, flip<&ViewSettings::grid>, nullptr,
-     on<&ViewSettings::grid>},
+     is_on<&ViewSettings::grid>},
     {"view.frame", "Frame selection", "F", "Brings the selection into the middle of the view", Menu::view,
      [](Context& c) { c.host.frame(false); }, any_node, nullptr, true, false, true},
     {"view.frame_all", "Frame all", "Home", "Brings everything into the view", Menu::view,

@@ -37,72 +37,66 @@ bool can_turn(const Document& d, std::int32_t i) {
     return solid && (node(d, i).parent < 0 || degree_of(d, i) > 2);
 }
 
-template <int axis>
-double get_position(const Document& d, std::int32_t i) {
-    return node(d, i).position[axis];
-}
-template <int axis>
-void put_position(Document& d, std::int32_t i, double value) {
-    node(d, i).position[axis] = value;
-}
-template <int axis>
-double get_scale(const Document& d, std::int32_t i) {
-    return node(d, i).scale[axis];
-}
-template <int axis>
-void put_scale(Document& d, std::int32_t i, double value) {
-    node(d, i).scale[axis] = value;
-}
+Vec3 position_of(const Node& n) { return n.position; }
+void set_position(Node& n, const Vec3& position) { n.position = position; }
+Vec3 scale_of(const Node& n) { return {n.scale[0], n.scale[1], n.scale[2]}; }
+void set_scale(Node& n, const Vec3& scale) { n.scale = {scale.x(), scale.y(), scale.z()}; }
 Vec3 size_of(const Node& n) { return n.size ? *n.size : Vec3(Vec3::Constant(2 * n.radius)); }
-template <int axis>
-double get_size(const Document& d, std::int32_t i) {
-    return size_of(node(d, i))[axis];
-}
-template <int axis>
-void put_size(Document& d, std::int32_t i, double value) {
-    Vec3 size = size_of(node(d, i));
-    size[axis] = value;
-    node(d, i).size = size;
-}
-template <int axis>
-double get_angle(const Document& d, std::int32_t i) {
-    return angles_of(node(d, i))[axis];
-}
-template <int axis>
-void put_angle(Document& d, std::int32_t i, double value) {
-    Vec3 angles = angles_of(node(d, i));
-    angles[axis] = value;
-    node(d, i).rotation = from_angles(angles);
+void set_size(Node& n, const Vec3& size) { n.size = size; }
+void set_angles(Node& n, const Vec3& degrees) { n.rotation = from_angles(degrees); }
+
+/// What a node has three of, and which nodes have it.
+struct Triple {
+    Vec3 (*read)(const Node&);
+    void (*write)(Node&, const Vec3&);
+    Unit unit;
+    double least, most;
+    bool (*relevant)(const Document&, std::int32_t);
+};
+constexpr Triple position{position_of, set_position, Unit::length, -any, any, always};
+constexpr Triple section{scale_of, set_scale, Unit::factor, tiny, any, has_section};
+constexpr Triple solid{scale_of, set_scale, Unit::factor, tiny, any, has_depth};
+constexpr Triple extents{size_of, set_size, Unit::length, tiny, any, is_cube};
+constexpr Triple angles{angles_of, set_angles, Unit::degrees, -360, 360, can_turn};
+
+/// The field of one of the three.
+template <const Triple& triple, int axis>
+constexpr Field part(const char* id, const char* group, const char* label, const char* tip) {
+    return {id,
+            group,
+            label,
+            tip,
+            triple.unit,
+            triple.least,
+            triple.most,
+            [](const Document& d, std::int32_t i) -> double { return triple.read(node(d, i))[axis]; },
+            [](Document& d, std::int32_t i, double value) {
+                Vec3 all = triple.read(node(d, i));
+                all[axis] = value;
+                triple.write(node(d, i), all);
+            },
+            triple.relevant};
 }
 
 const Field table[] = {
-    {"x", "Position", "X", "Where the node is", Unit::length, -any, any, get_position<0>, put_position<0>,
-     always},
-    {"y", "Position", "Y", "Where the node is", Unit::length, -any, any, get_position<1>, put_position<1>,
-     always},
-    {"z", "Position", "Z", "Where the node is", Unit::length, -any, any, get_position<2>, put_position<2>,
-     always},
+    part<position, 0>("x", "Position", "X", "Where the node is"),
+    part<position, 1>("y", "Position", "Y", "Where the node is"),
+    part<position, 2>("z", "Position", "Z", "Where the node is"),
     {"radius", "Radius", "", "Half the thickness of the tube here", Unit::length, tiny, any,
      [](const Document& d, std::int32_t i) { return node(d, i).radius; },
      [](Document& d, std::int32_t i, double v) { node(d, i).radius = v; }, always},
-    {"width", "Section", "W", "Width of the section, as a factor of the radius", Unit::factor, tiny, any,
-     get_scale<0>, put_scale<0>, has_section},
-    {"height", "Section", "H", "Height of the section, as a factor of the radius", Unit::factor, tiny, any,
-     get_scale<1>, put_scale<1>, has_section},
-    {"depth", "Section", "D", "Third axis of an ellipsoid, as a factor of the radius", Unit::factor, tiny,
-     any, get_scale<2>, put_scale<2>, has_depth},
-    {"size_x", "Size", "X", "Extent of the box", Unit::length, tiny, any, get_size<0>, put_size<0>, is_cube},
-    {"size_y", "Size", "Y", "Extent of the box", Unit::length, tiny, any, get_size<1>, put_size<1>, is_cube},
-    {"size_z", "Size", "Z", "Extent of the box", Unit::length, tiny, any, get_size<2>, put_size<2>, is_cube},
+    part<section, 0>("width", "Section", "width", "Width of the section, as a factor of the radius"),
+    part<section, 1>("height", "Section", "height", "Height of the section, as a factor of the radius"),
+    part<solid, 2>("depth", "Section", "depth", "Third axis of an ellipsoid, as a factor of the radius"),
+    part<extents, 0>("size_x", "Size", "X", "Extent of the box"),
+    part<extents, 1>("size_y", "Size", "Y", "Extent of the box"),
+    part<extents, 2>("size_z", "Size", "Z", "Extent of the box"),
     {"roll", "Roll", "", "Turn about the bone", Unit::degrees, -360, 360,
      [](const Document& d, std::int32_t i) { return node(d, i).roll; },
      [](Document& d, std::int32_t i, double v) { node(d, i).roll = v; }, always},
-    {"turn_x", "Rotation", "X", "Turn about the world's axes, x first", Unit::degrees, -360, 360,
-     get_angle<0>, put_angle<0>, can_turn},
-    {"turn_y", "Rotation", "Y", "Turn about the world's axes, x first", Unit::degrees, -360, 360,
-     get_angle<1>, put_angle<1>, can_turn},
-    {"turn_z", "Rotation", "Z", "Turn about the world's axes, x first", Unit::degrees, -360, 360,
-     get_angle<2>, put_angle<2>, can_turn},
+    part<angles, 0>("turn_x", "Rotation", "X", "Turn about the world's axes, x first"),
+    part<angles, 1>("turn_y", "Rotation", "Y", "Turn about the world's axes, x first"),
+    part<angles, 2>("turn_z", "Rotation", "Z", "Turn about the world's axes, x first"),
     {"joint", "Joint", "", "Sharpness of the ring here: 0 smooth, 10 and above a sharp edge at any level",
      Unit::factor, 0, 10, [](const Document& d, std::int32_t i) { return std::min(node(d, i).joint, 10.0); },
      [](Document& d, std::int32_t i, double v) { node(d, i).joint = v >= 10 ? infinitely_sharp : v; },

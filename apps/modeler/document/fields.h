@@ -13,8 +13,8 @@ enum class Unit : std::uint8_t { length, degrees, factor };
 
 struct Field {
     const char* id;
-    const char* group;  ///< fields of one group share a row: "Position" has three
-    const char* label;
+    const char* group;  ///< fields of one group stand together: "Position" has three
+    const char* label;  ///< in its group: "X"; empty where it is the only one
     const char* tip;
     Unit unit;
     double least;  ///< inclusive

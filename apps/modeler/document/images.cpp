@@ -2,22 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
+#include "sinew/skeleton/symmetry.h"
 
 namespace sinew::modeler {
 
 std::vector<Mat3> images_of(const Symmetry& symmetry) {
-    std::vector<Mat3> images{Mat3::Identity()};
-    if (symmetry.kind == Symmetry::Kind::mirror) {
-        Mat3 reflection = Mat3::Identity();
-        reflection(symmetry.axis, symmetry.axis) = -1;
-        images.push_back(reflection);
-    }
-    if (symmetry.kind == Symmetry::Kind::radial)
-        for (int i = 1; i < symmetry.count; ++i)
-            images.push_back(
-                Eigen::AngleAxisd(2 * std::numbers::pi * i / symmetry.count, Vec3(Vec3::Unit(symmetry.axis)))
-                    .toRotationMatrix());
+    const int count = symmetry.kind == Symmetry::Kind::none     ? 1
+                      : symmetry.kind == Symmetry::Kind::mirror ? 2
+                                                                : symmetry.count;
+    std::vector<Mat3> images;
+    for (int i = 0; i < count; ++i) images.push_back(symmetry_transform(symmetry, i));
     return images;
 }
 

@@ -25,5 +25,6 @@ struct ViewSettings {
 };
 
 inline constexpr int most_levels = 5;
+inline constexpr double see_through = 0.45;  ///< opacity at which bones are seen well inside
 
 }  // namespace sinew::modeler

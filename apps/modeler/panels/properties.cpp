@@ -1,14 +1,10 @@
 #include "panels/properties.h"
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QWheelEvent>
-#include <cmath>
 
+#include "panels/number_box.h"
 #include "panels/outliner_model.h"
 #include "window/icons.h"
 #include "window/theme.h"
@@ -20,48 +16,24 @@ const char* const type_labels[] = {"Sphere", "Cone", "Flat end", "Cube", "Negati
 const char* const type_icons[] = {"type.sphere", "type.cone",     "type.hemisphere",
                                   "type.cube",   "type.negative", "type.ball"};
 
-/// A number that scrolls only when one has clicked it, shows as many digits as it needs, and is empty where
-/// values differ.
-class NumberBox : public QDoubleSpinBox {
-  public:
-    using QDoubleSpinBox::QDoubleSpinBox;
-    bool mixed = false;
-    using QDoubleSpinBox::lineEdit;
-
-    QString textFromValue(double value) const override {
-        if (mixed) return {};
-        return QLocale::c().toString(value, 'g', 6);
-    }
-    double valueFromText(const QString& text) const override {
-        return QLocale::c().toDouble(QString(text).remove(suffix()).trimmed());
-    }
-    QValidator::State validate(QString& text, int&) const override {
-        const QString number = QString(text).remove(suffix()).trimmed();
-        bool good = false;
-        QLocale::c().toDouble(number, &good);
-        return good ? QValidator::Acceptable : QValidator::Intermediate;
-    }
-    void wheelEvent(QWheelEvent* event) override {
-        if (hasFocus())
-            QDoubleSpinBox::wheelEvent(event);
-        else
-            event->ignore();
-    }
-};
-
-/// The same for choices.
-class ChoiceBox : public QComboBox {
-  public:
-    using QComboBox::QComboBox;
-    void wheelEvent(QWheelEvent* event) override { event->ignore(); }
-};
-
 template <class T>
 std::optional<T> common(const Document& document, const std::vector<std::int32_t>& nodes, T Node::*member) {
     if (nodes.empty()) return std::nullopt;
     for (std::int32_t i : nodes)
         if (document.nodes[i].*member != document.nodes[nodes.front()].*member) return std::nullopt;
     return document.nodes[nodes.front()].*member;
+}
+
+/// "Position X", then only "Y" and "Z", each in the colour of its axis.
+QLabel* row_label(const Field& field, bool first) {
+    const QString part = field.label;
+    const qsizetype axis = part.size() == 1 ? QString("XYZ").indexOf(part) : -1;
+    const QString shown =
+        axis < 0 ? part : QString("<b style='color:%1'>%2</b>").arg(theme::axis[axis].name(), part);
+    auto* label = new QLabel(first ? QString(field.group) + "&nbsp; " + shown : shown);
+    label->setTextFormat(Qt::RichText);
+    label->setToolTip(field.tip);
+    return label;
 }
 
 }  // namespace
@@ -116,36 +88,25 @@ void Properties::add_head(QFormLayout& form) {
 }
 
 void Properties::add_fields(QFormLayout& form) {
-    QWidget* row = nullptr;
     QString group;
     for (const Field& field : fields()) {
-        if (field.group != group) {
-            group = field.group;
-            row = new QWidget;
-            auto* line = new QHBoxLayout(row);
-            line->setContentsMargins(0, 0, 0, 0);
-            line->setSpacing(4);
-            form.addRow(group, row);
-            rows_.push_back(row);
-        }
-        QDoubleSpinBox* box = make_box(field);
-        row->layout()->addWidget(box);
-        boxes_.push_back({&field, box, row});
+        NumberBox* box = make_box(field);
+        form.addRow(row_label(field, group != field.group), box);
+        group = field.group;
+        boxes_.push_back({&field, box});
     }
 }
 
-QDoubleSpinBox* Properties::make_box(const Field& field) {
+NumberBox* Properties::make_box(const Field& field) {
     auto* box = new NumberBox;
     box->setObjectName(field.id);
-    box->setToolTip(QString(field.tip) + (*field.label ? QString(" (%1)").arg(field.label) : QString()));
-    box->setDecimals(9);
+    box->setToolTip(field.tip);
     box->setRange(field.least, field.most);
-    box->setMinimumWidth(52);
-    box->setKeyboardTracking(false);
-    if (field.unit == Unit::degrees) box->setSuffix("°");
-    box->setStepType(field.unit == Unit::degrees ? QAbstractSpinBox::DefaultStepType
-                                                 : QAbstractSpinBox::AdaptiveDecimalStepType);
-    if (field.unit == Unit::degrees) box->setSingleStep(5);
+    if (field.unit == Unit::degrees) {
+        box->setSuffix("°");
+        box->setStepType(QAbstractSpinBox::DefaultStepType);
+        box->setSingleStep(5);
+    }
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, &field](double value) { put(field, value); });
     return box;
 }
@@ -172,21 +133,16 @@ void Properties::refresh_choices() {
 }
 
 void Properties::refresh_box(const Box& box) {
+    const Document& document = model_.document();
     const std::vector<std::int32_t>& nodes = model_.selection().nodes;
-    const bool shown = relevant_to_all(model_.document(), nodes, *box.field);
-    box.widget->setVisible(shown);
+    const bool shown = !nodes.empty() && relevant_to_all(document, nodes, *box.field);
+    form_->setRowVisible(box.widget, shown);
     if (!shown) return;
-    auto& number = static_cast<NumberBox&>(*box.widget);
-    const auto value = common_value(model_.document(), nodes, *box.field);
-    number.mixed = !value;
+    const auto value = common_value(document, nodes, *box.field);
     if (box.field->unit == Unit::length)
-        number.setSuffix(model_.document().unit.empty() || number.mixed
-                             ? ""
-                             : " " + QString::fromStdString(model_.document().unit));
-    // Writing the text anew while one types in it would move the cursor.
-    if (value && number.value() == *value && number.hasFocus()) return;
-    number.setValue(value.value_or(box.field->get(model_.document(), nodes.front())));
-    if (number.mixed) number.lineEdit()->setPlaceholderText("differ"), number.lineEdit()->clear();
+        box.widget->setSuffix(document.unit.empty() || !value ? ""
+                                                              : " " + QString::fromStdString(document.unit));
+    box.widget->show_value(value, box.field->get(document, nodes.front()));
 }
 
 void Properties::refresh() {
@@ -194,19 +150,15 @@ void Properties::refresh() {
     const std::vector<std::int32_t>& nodes = model_.selection().nodes;
     for (QWidget* row : rows_) form_->setRowVisible(row, !nodes.empty());
     if (nodes.empty()) {
-        title_->setText("<span style='color:#98a0ad'>Nothing selected</span>");
+        title_->setText(
+            QString("<span style='color:%1'>Nothing selected</span>").arg(theme::dim_text.name()));
     } else {
         title_->setText(nodes.size() == 1
                             ? "<b>" + label_of(model_.document(), nodes[0]).toHtmlEscaped() + "</b>"
                             : QString("<b>%1 nodes</b>").arg(nodes.size()));
         refresh_choices();
-        for (const Box& box : boxes_) refresh_box(box);
-        for (QWidget* row : rows_) {
-            bool any = row->findChildren<QDoubleSpinBox*>().isEmpty();
-            for (const Box& box : boxes_) any = any || (box.row == row && !box.widget->isHidden());
-            form_->setRowVisible(row, any);
-        }
     }
+    for (const Box& box : boxes_) refresh_box(box);
     busy_ = false;
 }
 

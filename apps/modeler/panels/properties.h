@@ -9,12 +9,13 @@
 #include "document/model.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
 
 namespace sinew::modeler {
+
+class NumberBox;
 
 class Properties : public QScrollArea {
   public:
@@ -23,12 +24,11 @@ class Properties : public QScrollArea {
   private:
     struct Box {
         const Field* field;
-        QDoubleSpinBox* widget;
-        QWidget* row;
+        NumberBox* widget;
     };
     void add_head(QFormLayout& form);
     void add_fields(QFormLayout& form);
-    QDoubleSpinBox* make_box(const Field& field);
+    NumberBox* make_box(const Field& field);
     void refresh();
     void refresh_choices();
     void refresh_box(const Box& box);

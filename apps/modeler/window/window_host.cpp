@@ -7,6 +7,7 @@
 #include "sinew/skeleton/graph.h"
 #include "viewport/navigation.h"
 #include "viewport/viewport.h"
+#include "window/adjust_panel.h"
 #include "window/dialogs.h"
 #include "window/export_dialog.h"
 #include "window/main_window.h"
@@ -95,6 +96,13 @@ void WindowHost::insert_node() {
 
 void WindowHost::rename_active() {
     if (rename_wanted) rename_wanted();
+}
+
+void WindowHost::perform(Operation operation) {
+    if (!adjust_panel_)
+        adjust_panel_ = new AdjustPanel(window_.model(), window_.viewport(),
+                                        [this](const std::string& text) { message(text); });
+    adjust_panel_->perform(std::move(operation));
 }
 
 void WindowHost::edit_radial_symmetry() {

@@ -6,6 +6,7 @@
 
 namespace sinew::modeler {
 
+class AdjustPanel;
 class MainWindow;
 class TypeMenu;
 
@@ -25,6 +26,7 @@ class WindowHost : public Host {
     void start(Modal modal) override;
     void insert_node() override;
     void rename_active() override;
+    void perform(Operation operation) override;
     void edit_radial_symmetry() override;
     void type_menu() override;
     void look_from(StandardView view) override;
@@ -40,6 +42,7 @@ class WindowHost : public Host {
   private:
     MainWindow& window_;
     TypeMenu* type_menu_ = nullptr;
+    AdjustPanel* adjust_panel_ = nullptr;
 };
 
 }  // namespace sinew::modeler

@@ -1,0 +1,46 @@
+#include "panels/number_box.h"
+
+#include <QLineEdit>
+#include <QWheelEvent>
+
+namespace sinew::modeler {
+
+NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
+    setDecimals(9);
+    setMinimumWidth(52);
+    setKeyboardTracking(false);
+    setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+}
+
+void NumberBox::show_value(std::optional<double> value, double otherwise) {
+    mixed_ = !value;
+    // Writing the text anew while one types in it would move the cursor.
+    if (value && this->value() == *value && hasFocus()) return;
+    setValue(value.value_or(otherwise));
+    if (!mixed_) return;
+    lineEdit()->setPlaceholderText("differ");
+    lineEdit()->clear();
+}
+
+QString NumberBox::textFromValue(double value) const {
+    return mixed_ ? QString() : QLocale::c().toString(value, 'g', 6);
+}
+
+double NumberBox::valueFromText(const QString& text) const {
+    return QLocale::c().toDouble(QString(text).remove(suffix()).trimmed());
+}
+
+QValidator::State NumberBox::validate(QString& text, int&) const {
+    const QString number = QString(text).remove(suffix()).trimmed();
+    bool good = false;
+    QLocale::c().toDouble(number, &good);
+    return good ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+void NumberBox::wheelEvent(QWheelEvent* event) {
+    hasFocus() ? QDoubleSpinBox::wheelEvent(event) : event->ignore();
+}
+
+void ChoiceBox::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+}  // namespace sinew::modeler
