@@ -1,6 +1,12 @@
 #include "live/mesher.h"
 
 namespace sinew::modeler {
+namespace {
+
+/// How long nothing newer must be ordered before a mesh is measured: longer than a hand rests in a drag.
+constexpr std::chrono::milliseconds pause{150};
+
+}  // namespace
 
 Mesher::Mesher(Done done) : done_(std::move(done)), thread_([this] { work(); }) {}
 
@@ -31,6 +37,7 @@ void Mesher::stop() {
     const std::lock_guard lock(mutex_);
     waiting_.reset();
     cancel_ = true;
+    wake_.notify_one();
 }
 
 void Mesher::work() {
@@ -50,9 +57,9 @@ void Mesher::work() {
     }
 }
 
-bool Mesher::overtaken() {
-    const std::lock_guard lock(mutex_);
-    return quit_ || waiting_ || cancel_;
+bool Mesher::overtaken_soon() {
+    std::unique_lock lock(mutex_);
+    return wake_.wait_for(lock, pause, [this] { return quit_ || waiting_ || cancel_; });
 }
 
 void Mesher::make(const Order& order) {
@@ -63,9 +70,10 @@ void Mesher::make(const Order& order) {
         const std::lock_guard lock(mutex_);
         if (quit_) return;
         may_cancel_ = true;
+        working_ = false;  // what follows cannot be stopped, and must not use up the right to stop the next
     }
     done_(std::make_shared<const LiveMesh>(mesh));
-    if (!mesh.mesh || overtaken()) return;
+    if (!mesh.mesh || overtaken_soon()) return;
     measure(mesh);
     done_(std::make_shared<const LiveMesh>(std::move(mesh)));
 }

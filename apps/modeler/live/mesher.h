@@ -15,9 +15,8 @@ namespace sinew::modeler {
 /// in a row: while one drags, the mesh keeps up, if behind the pointer.
 class Mesher {
   public:
-    /// @param done  called on the mesher's thread; twice for an order that nothing newer overtakes: when
-    /// there is
-    ///              something to draw, and when it is measured
+    /// @param done  called on the mesher's thread: when there is something to draw, and once more, with
+    ///              measures, where nothing newer is ordered for a moment
     using Done = std::function<void(std::shared_ptr<const LiveMesh>)>;
     explicit Mesher(Done done);
     ~Mesher();  ///< stops what is in the making and waits for it
@@ -34,7 +33,7 @@ class Mesher {
     };
     void work();
     void make(const Order& order);
-    bool overtaken();
+    bool overtaken_soon();
 
     Done done_;
     Pipeline pipeline_;
