@@ -8,13 +8,13 @@
 #include <cctype>
 #include <cmath>
 
-#include "sinew/grow/portable_math.h"
+#include "sinew/base/portable_math.h"
 
 namespace sinew::lsystem {
 namespace {
 
 double modulo(double a, double b) { return a - b * std::floor(a / b); }
-double tangent(double degrees) { return sine(degrees) / cosine(degrees); }
+double tangent(double degrees) { return portable::sine(degrees) / portable::cosine(degrees); }
 double sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 double negation(double x) { return x == 0 ? 1 : 0; }
 double smaller(double a, double b) { return b < a ? b : a; }
@@ -29,18 +29,18 @@ double draw_normal(void* random, double mean, double deviation) {
 using Unary = double (*)(double);
 using Binary = double (*)(double, double);
 constexpr std::array<std::pair<const char*, Unary>, 10> unary_functions{
-    {{"sin", sine},
-     {"cos", cosine},
+    {{"sin", portable::sine},
+     {"cos", portable::cosine},
      {"tan", tangent},
      {"sqrt", [](double x) { return std::sqrt(x); }},
-     {"exp", exponential},
-     {"log", logarithm},
+     {"exp", portable::exponential},
+     {"log", portable::logarithm},
      {"abs", [](double x) { return std::fabs(x); }},
      {"sign", sign_of},
      {"floor", [](double x) { return std::floor(x); }},
      {"ceil", [](double x) { return std::ceil(x); }}}};
 constexpr std::array<std::pair<const char*, Binary>, 4> binary_functions{
-    {{"atan2", arc_tangent}, {"mod", modulo}, {"min", smaller}, {"max", larger}}};
+    {{"atan2", portable::arc_tangent}, {"mod", modulo}, {"min", smaller}, {"max", larger}}};
 constexpr std::array random_functions{"random", "normal"};
 
 /// muParser does not let its own ^ be replaced, so formulas reach it with this in place of ^.
@@ -58,7 +58,7 @@ std::unique_ptr<mu::Parser> make_functions(Random& random) {
     parser->DefineFunUserData("random", draw_uniform, &random, false);
     parser->DefineFunUserData("normal", draw_normal, &random, false);
     parser->DefineInfixOprt("!", negation);
-    parser->DefineOprt(std::string(1, power_sign), power, mu::prPOW, mu::oaRIGHT, true);
+    parser->DefineOprt(std::string(1, power_sign), portable::power, mu::prPOW, mu::oaRIGHT, true);
     return parser;
 }
 

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "sinew/grow/portable_math.h"
+#include "sinew/base/portable_math.h"
 
 namespace sinew::lsystem {
 
 double Random::normal(double mean, double deviation) {
-    const double distance = std::sqrt(-2 * logarithm(1 - uniform()));  // 1 - u is in (0, 1]
-    return mean + deviation * distance * cosine(360 * uniform());
+    const double distance = std::sqrt(-2 * portable::logarithm(1 - uniform()));  // 1 - u is in (0, 1]
+    return mean + deviation * distance * portable::cosine(360 * uniform());
 }
 
 }  // namespace sinew::lsystem

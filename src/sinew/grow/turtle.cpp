@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sinew/grow/portable_math.h"
+#include "sinew/base/portable_math.h"
 #include "sinew/skeleton/frames.h"
 #include "sinew/skeleton/graph.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 /// Turns a towards b by an angle in degrees; both stay perpendicular.
 void turn(Vec3& a, Vec3& b, double degrees) {
-    const double c = cosine(degrees), s = sine(degrees);
+    const double c = portable::cosine(degrees), s = portable::sine(degrees);
     const Vec3 old = a;
     a = c * a + s * b;
     b = c * b - s * old;
@@ -207,7 +207,7 @@ void Turtle::bend() {
     if (strength == 0) return;
     const Vec3 axis = torque / strength;
     const double angle = state_.bending * strength * 57.295779513082321;
-    const double c = cosine(angle), s = sine(angle);
+    const double c = portable::cosine(angle), s = portable::sine(angle);
     for (Vec3* v : {&state_.heading, &state_.left, &state_.up})
         *v = c * *v + s * axis.cross(*v) + (1 - c) * axis.dot(*v) * axis;
 }
@@ -244,7 +244,7 @@ void Turtle::write_frames() {
             continue;
         }
         const Mat3 unrolled = local_frame(document_, bones, neighbours, frame.node);
-        node.roll = arc_tangent(frame.left.dot(unrolled.col(1)), frame.left.dot(unrolled.col(0)));
+        node.roll = portable::arc_tangent(frame.left.dot(unrolled.col(1)), frame.left.dot(unrolled.col(0)));
     }
 }
 

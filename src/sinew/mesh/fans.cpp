@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sinew/base/portable_math.h"
+
 namespace sinew {
 namespace {
 
@@ -108,7 +110,7 @@ class FanFinder {
 template <class Body>
 void for_each_root_of_unity(std::size_t n, const Body& body) {
     const double angle = 2 * std::numbers::pi / static_cast<double>(n);
-    const double c = std::cos(angle), s = std::sin(angle);
+    const auto [s, c] = portable::sine_cosine(angle);
     double x = 1, y = 0;
     for (std::size_t j = 0; j < n; ++j) {
         body(j, x, y);

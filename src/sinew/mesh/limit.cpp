@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sinew/base/portable_math.h"
+
 namespace sinew {
 namespace {
 
@@ -111,7 +113,9 @@ void fit_to_limit(const LimitStencils& stencils, std::span<const Vec3> target, s
     }
 }
 
-double ring_limit_radius(int n) { return (4 + 2 * std::cos(2 * std::numbers::pi / n)) / 6; }
+double ring_limit_radius(int n) {
+    return (4 + 2 * portable::sine_cosine(2 * std::numbers::pi / n).cosine) / 6;
+}
 
 double ring_fit_radius(int n) { return ring_limit_radius(n) / spline_radius(2 * std::numbers::pi / n); }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sinew/base/portable_math.h"
+
 namespace sinew {
 namespace {
 
@@ -196,15 +198,17 @@ Vec3 nearest_on_circle(const Circle& circle, const Vec3& point) {
 }
 
 double spline_radius(double angle) {
-    const double beside = (4 + 2 * std::cos(angle)) / 6;
-    const double between = (46 * std::cos(angle / 2) + 2 * std::cos(3 * angle / 2)) / 48;
+    const auto cosine = [](double a) { return portable::sine_cosine(a).cosine; };
+    const double beside = (4 + 2 * cosine(angle)) / 6;
+    const double between = (46 * cosine(angle / 2) + 2 * cosine(3 * angle / 2)) / 48;
     return (beside + between) / 2;
 }
 
 Vec3 circle_control(const Circle& circle, const Vec3& point, const Vec3& before, const Vec3& after) {
     const Vec3 direction = polar_of(circle, point).direction;
     const auto angle_to = [&](const Vec3& other) {
-        return std::acos(std::clamp(direction.dot(polar_of(circle, other).direction), -0.5, 1.0));
+        const double cosine = std::clamp(direction.dot(polar_of(circle, other).direction), -0.5, 1.0);
+        return portable::angle_of(std::sqrt((1 - cosine) * (1 + cosine)), cosine);
     };
     const double angle = (angle_to(before) + angle_to(after)) / 2;
     const Vec3 centre = circle.centre.cast<double>();

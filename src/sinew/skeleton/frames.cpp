@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sinew/base/portable_math.h"
+
 namespace sinew {
 namespace {
 
@@ -12,7 +14,7 @@ std::pair<double, double> sine_cosine(double degrees) {
     if (turn < 0) turn += 360;
     const int quarter = static_cast<int>(turn / 90);
     const double rest = turn - 90.0 * quarter;
-    double s = std::sin(rest * std::numbers::pi / 180), c = std::cos(rest * std::numbers::pi / 180);
+    auto [s, c] = portable::sine_cosine(rest * std::numbers::pi / 180);
     if (rest == 0) s = 0, c = 1;
     if (rest == 45) s = c = std::sqrt(0.5);
     switch (quarter) {

@@ -43,9 +43,10 @@ class Caster {
         Vec3* at = &points_.position[points_.first[joint]];
         for (std::int32_t v = p_.vertex_first[joint]; v < p_.vertex_first[joint + 1]; ++v)
             *at++ = along(p_.vertices[v]);
-        for (std::int32_t a = p_.arc_first[joint]; a < p_.arc_first[joint + 1]; ++a)
-            for (std::int32_t i = 1; i < r_.pieces[a]; ++i)
-                *at++ = along(point_on_arc(p_, p_.arcs[a], double(i) / r_.pieces[a]));
+        for (std::int32_t a = p_.arc_first[joint]; a < p_.arc_first[joint + 1]; ++a) {
+            divide_arc(p_, p_.arcs[a], r_.pieces[a], at);
+            for (std::int32_t i = 1; i < r_.pieces[a]; ++i, ++at) *at = along(*at);
+        }
     }
 
   private:

@@ -95,7 +95,7 @@ double BeamFrom::exit(const Vec3& ray) const {
     for (int i = 0; i < 40; ++i) {
         const double t = (low + high) / 2, share = t * h / length;
         const Vec2 half = near + share * (far - near);
-        (std::hypot(p * t / half.x(), q * t / half.y()) < 1 ? low : high) = t;
+        (Vec2(p * t / half.x(), q * t / half.y()).squaredNorm() < 1 ? low : high) = t;
     }
     return low;
 }

@@ -225,7 +225,8 @@ class Follower {
     /// the radius.
     static bool is_near(const JointSide& side, const Station& ring) {
         const Vec3 out = ring.centre - side.centre;
-        const double height = std::abs(out.dot(ring.tangent)), slant = std::hypot(height, ring.half.x());
+        const double height = std::abs(out.dot(ring.tangent)),
+                     slant = std::sqrt(height * height + ring.half.x() * ring.half.x());
         const double cosine = height / slant, sine = ring.half.x() / slant;
         const double widest = std::sqrt(std::max(0.0, 1 - side.widest * side.widest));
         return side.widest * cosine + widest * sine > 0.342;
@@ -233,8 +234,8 @@ class Follower {
     Vec3 on_ring(bool is_far, double angle) const {
         const Station& ring = is_far ? w_.rings.back() : w_.rings.front();
         const Vec3 y = ring.tangent.cross(ring.x);
-        return ring.centre +
-               ring.half.mean() * (std::cos(angle + ring.turn) * ring.x + std::sin(angle + ring.turn) * y);
+        const auto [sine, cosine] = portable::sine_cosine(angle + ring.turn);
+        return ring.centre + ring.half.mean() * (cosine * ring.x + sine * y);
     }
     void insert(const JointSide& side, bool is_far) {
         const int rings = wanted(side, is_far);

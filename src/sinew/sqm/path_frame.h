@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "sinew/base/portable_math.h"
 #include "sinew/base/vec.h"
 
 namespace sinew::sqm {
@@ -37,7 +38,7 @@ inline Vec3 carry_frame(const Vec3& x, const Vec3& p, const Vec3& a, const Vec3&
 
 /// Angle of a vector round the axis x cross y, from x towards y.
 inline double angle_round(const Vec3& v, const Vec3& x, const Vec3& y) {
-    return std::atan2(v.dot(y), v.dot(x));
+    return portable::angle_of(v.dot(y), v.dot(x));
 }
 
 /// Makes angles that go once round increase from the first one on.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sinew/base/portable_math.h"
 #include "sinew/extend/frames.h"
 #include "sinew/sqm/path_work.h"
 
@@ -33,7 +34,7 @@ class RingPlacer {
         const auto is_pit = [&](std::int32_t i) { return w_.s.cap[w_.node(i)] == Cap::pit; };
         return is_pit(bone) || is_pit(bone + 1);
     }
-    double edge(double radius) const { return 2 * std::sin(M_PI / w_.sides) * radius; }
+    double edge(double radius) const { return 2 * portable::sine_cosine(M_PI / w_.sides).sine * radius; }
     bool is_fixed(std::int32_t i) const {
         return w_.form(i) && w_.form(i)->kind == Form::Kind::ring && w_.form(i)->fixed;
     }
@@ -148,22 +149,23 @@ class RingPlacer {
         const Vec3 outward = (w_.position(leaf) - w_.position(other)).normalized();
         const double length = (w_.position(leaf) - w_.position(other)).norm(), r = w_.radius(leaf);
         const Form* form = is_shaped(leaf) ? w_.form(leaf) : nullptr;
-        const double begin = form ? 0 : std::asin(std::clamp((w_.radius(other) - r) / length, -0.9, 0.9));
+        const double begin =
+            form ? 0 : portable::arc_sine(std::clamp((w_.radius(other) - r) / length, -0.9, 0.9));
         const int rings =
             std::max(1, static_cast<int>(std::lround(w_.sides * (M_PI / 2 - begin) / (2 * M_PI))));
         for (int i = 0; i < rings; ++i) {
             const int step = at_end ? i : rings - 1 - i;
             const double angle = begin + (M_PI / 2 - begin) * step / rings;
-            const Vec3 centre = w_.position(leaf) + r * std::sin(angle) * outward;
-            if (at_end && w_.near.any() && w_.count() == 2 &&
-                length + r * std::sin(angle) < w_.near.reach + 0.15 * r)
+            const auto [sine, cosine] = portable::sine_cosine(angle);
+            const Vec3 centre = w_.position(leaf) + r * sine * outward;
+            if (at_end && w_.near.any() && w_.count() == 2 && length + r * sine < w_.near.reach + 0.15 * r)
                 continue;
-            Station& ring = add(centre, at_end ? outward : Vec3(-outward), r * std::cos(angle),
-                                at_end ? leaf - 1 : 0, at_end ? 1 : 0);
+            Station& ring = add(centre, at_end ? outward : Vec3(-outward), r * cosine, at_end ? leaf - 1 : 0,
+                                at_end ? 1 : 0);
             ring.node = w_.node(leaf);
             if (!form) continue;
             take_form(ring, *form);
-            ring.half *= std::cos(angle);
+            ring.half *= cosine;
             ring.crease = step == 0 ? ring.crease : 0;
         }
     }
@@ -260,13 +262,13 @@ class RingPlacer {
                 if (std::abs(h - height) < gap) return;
             heights_.push_back(height);
         };
-        const double slope = std::asin(cone.sine);
+        const double half_slope = cone.sine / std::sqrt(2 * (1 + cone.cosine));  // sine of half the angle
         const bool from_leaf = !w_.closed && bone == 0 && !w_.near.any();
         const bool to_leaf = !w_.closed && bone + 1 == w_.bone_count() && !w_.far.any();
         if (cone.sine > steep && !from_leaf) offer(cone.side_begin());
-        if (cone.sine > very_steep) offer(cone.near * std::sin(slope / 2));
+        if (cone.sine > very_steep) offer(cone.near * half_slope);
         if (cone.sine < -steep && !to_leaf) offer(cone.side_end());
-        if (cone.sine < -very_steep) offer(cone.length + cone.far * std::sin(slope / 2));
+        if (cone.sine < -very_steep) offer(cone.length + cone.far * half_slope);
     }
 
     /// A ring between two outlines has the outline between them; a rectangle only between two of them.

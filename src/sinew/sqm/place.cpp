@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "sinew/base/portable_math.h"
 #include "sinew/sqm/features.h"
 #include "sinew/sqm/fit.h"
 #include "sinew/sqm/symmetrise.h"
@@ -52,7 +53,9 @@ class Placer {
 
     /// The vertex of a column, at an angle from ring.x, on a ring that stands by itself.
     Vec3 on_ring(const Station& ring, std::int32_t p, std::int32_t k, double angle) const {
-        const Vec3 y = ring.tangent.cross(ring.x), ray = std::cos(angle) * ring.x + std::sin(angle) * y;
+        const Vec3 y = ring.tangent.cross(ring.x);
+        const auto [sine, cosine] = portable::sine_cosine(angle);
+        const Vec3 ray = cosine * ring.x + sine * y;
         if (ring.shape == RingShape::outline) return on_outline(ring, p, k);
         if (ring.shape == RingShape::pit) return on_pit(ring, p, ellipse(ring, ray));
         if (ring.shape == RingShape::circle || !options_.ideal)
@@ -182,9 +185,11 @@ class Placer {
         const Vec3 a = at_joint - centre, b = on_ring - centre;
         const double la = a.norm(), lb = b.norm();
         const Vec3 u = a / la, v = b / lb;
-        const double angle = std::atan2(u.cross(v).norm(), u.dot(v));
+        const double sine = u.cross(v).norm(), angle = portable::angle_of(sine, u.dot(v));
         if (!(angle > 1e-6 && angle < 3.1)) return at_joint + share * (on_ring - at_joint);
-        const Vec3 ray = (std::sin((1 - share) * angle) * u + std::sin(share * angle) * v) / std::sin(angle);
+        const Vec3 ray = (portable::sine_cosine((1 - share) * angle).sine * u +
+                          portable::sine_cosine(share * angle).sine * v) /
+                         sine;
         return centre + exit_of_joint(n_, d_.points, joint, centre, ray) * ray;
     }
 

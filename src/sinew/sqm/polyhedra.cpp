@@ -5,18 +5,34 @@
 #include <array>
 #include <cmath>
 
+#include "sinew/base/portable_math.h"
+
 namespace sinew::sqm {
 namespace {
 
 constexpr std::int32_t chunk_size = 512;  // joints whose cells one task finds
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angle_between(const Vec3& a, const Vec3& b) { return portable::angle_of(a.cross(b).norm(), a.dot(b)); }
 
-Vec3 slerp(const Vec3& a, const Vec3& b, double share) {
-    const double angle = angle_between(a, b), sine = std::sin(angle);
-    if (sine < 1e-9) return (a + share * (b - a)).normalized();
-    return (std::sin((1 - share) * angle) * a + std::sin(share * angle) * b) / sine;
-}
+/// Part of a great circle, by its length.
+class GreatArc {
+  public:
+    GreatArc(const Vec3& from, const Vec3& to) : from_(from) {
+        const double cosine = from.dot(to);
+        across_ = to - cosine * from;
+        const double sine = across_.norm();
+        if (sine > 0) across_ /= sine;
+        length_ = portable::angle_of(sine, cosine);
+    }
+    Vec3 at(double share) const {
+        const auto [sine, cosine] = portable::sine_cosine(share * length_);
+        return cosine * from_ + sine * across_;
+    }
+
+  private:
+    Vec3 from_, across_;
+    double length_;
+};
 
 /// The point half way, for arcs of more than a right angle. Between nearly opposite ends only the cells can
 /// tell which of all great circles it is: the one in the plane between their two sites.
@@ -129,11 +145,18 @@ Result<Polyhedra> make_polyhedra(const Plain& skeleton, const Network& network, 
     return all;
 }
 
-Vec3 point_on_arc(const Polyhedra& p, const CellArc& arc, double share) {
+void divide_arc(const Polyhedra& p, const CellArc& arc, std::int32_t pieces, Vec3* points) {
+    if (pieces < 2) return;
     const Vec3 &from = p.vertices[arc.from], &to = p.vertices[arc.to];
-    if (!is_long(p, arc)) return slerp(from, to, share);
+    if (!is_long(p, arc)) {
+        const GreatArc whole(from, to);
+        for (std::int32_t i = 1; i < pieces; ++i) *points++ = whole.at(double(i) / pieces);
+        return;
+    }
     const Vec3 middle = middle_of(p, arc);
-    return share <= 0.5 ? slerp(from, middle, 2 * share) : slerp(middle, to, 2 * share - 1);
+    const GreatArc first(from, middle), second(middle, to);
+    for (std::int32_t i = 1; i < pieces; ++i)
+        *points++ = 2 * i < pieces ? first.at(2.0 * i / pieces) : second.at(2.0 * i / pieces - 1);
 }
 
 double arc_length(const Polyhedra& p, const CellArc& arc) {

@@ -44,8 +44,9 @@ Vec3 slot_direction(const Plain& skeleton, const Network& network, std::int32_t 
 Result<Polyhedra> make_polyhedra(const Plain& skeleton, const Network& network,
                                  const Progress& progress = {});
 
-/// Unit direction of the point that divides an arc at `share` in [0, 1] of its length from its first vertex.
-Vec3 point_on_arc(const Polyhedra& polyhedra, const CellArc& arc, double share);
+/// Unit directions of the points that divide an arc into `pieces` of equal length, from its first vertex on:
+/// pieces - 1 of them, written to `points`.
+void divide_arc(const Polyhedra& polyhedra, const CellArc& arc, std::int32_t pieces, Vec3* points);
 
 /// Length of an arc on the unit sphere, in (0, pi].
 double arc_length(const Polyhedra& polyhedra, const CellArc& arc);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "sinew/base/portable_math.h"
+
 namespace sinew::sqm {
 namespace {
 
@@ -37,7 +39,7 @@ void flat_hull(std::span<const Vec3> points, SphereHull& hull) {
     const Vec3 centre = normal * normal.dot(points[0]);
     const Vec3 x = (points[0] - centre).normalized(), y = normal.cross(x);
     auto angle = [&](std::int32_t i) {
-        return std::atan2((points[i] - centre).dot(y), (points[i] - centre).dot(x));
+        return portable::angle_of((points[i] - centre).dot(y), (points[i] - centre).dot(x));
     };
     hull.corner.resize(points.size());
     std::iota(hull.corner.begin(), hull.corner.end(), 0);

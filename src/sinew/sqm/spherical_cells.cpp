@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "sinew/base/portable_math.h"
 #include "sinew/sqm/count_problem.h"
 #include "sinew/sqm/sphere_hull.h"
 
@@ -34,7 +35,8 @@ void part_equal(std::vector<Vec3>& sites, double spacing) {
         if (twins == 0) continue;
         const Vec3 x = any_normal_to(drawn[i]), y = drawn[i].cross(x);
         const double angle = golden * twins, out = spacing * std::sqrt(twins);
-        sites[i] = (drawn[i] + out * (std::cos(angle) * x + std::sin(angle) * y)).normalized();
+        const auto [sine, cosine] = portable::sine_cosine(angle);
+        sites[i] = (drawn[i] + out * (cosine * x + sine * y)).normalized();
     }
 }
 

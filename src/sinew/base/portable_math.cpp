@@ -1,12 +1,13 @@
-#include "sinew/grow/portable_math.h"
+#include "sinew/base/portable_math.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace sinew::lsystem {
+namespace sinew::portable {
 namespace {
 
+constexpr double pi = 3.14159265358979324;
 constexpr double degree = 0.017453292519943295;
 
 /// c[0] + c[1] x + c[2] x^2 ...
@@ -54,6 +55,12 @@ double sine_of_quarters(double degrees, int turns) {
     }
 }
 
+/// Arc tangent for |x| <= tan(pi/32); what is left out is below 2^-56 of it.
+double arc_tangent_near_zero(double x) {
+    constexpr std::array c{1.0, -1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13, -1.0 / 15};
+    return x * polynomial(c, x * x);
+}
+
 double whole_power(double x, unsigned n) {
     double result = 1;
     for (; n; n >>= 1, x *= x)
@@ -62,6 +69,46 @@ double whole_power(double x, unsigned n) {
 }
 
 }  // namespace
+
+SineCosine sine_cosine(double radians) {
+    // A quarter turn in three parts, of which k times the first two are exact.
+    constexpr double high = 0x1.921fb544p0, middle = 0x1.0b4611a6p-34, low = 0x1.3198a2e037073p-69;
+    constexpr double round = 0x1.8p52;  // adding and taking it away again rounds to a whole number
+    const double k = (radians * 0.63661977236758134 + round) - round;
+    const double x = ((radians - k * high) - k * middle) - k * low;
+    const double s = sine_near_zero(x), c = cosine_near_zero(x);
+    switch (static_cast<int>(k) & 3) {
+        case 0:
+            return {s, c};
+        case 1:
+            return {c, -s};
+        case 2:
+            return {-s, -c};
+        default:
+            return {-c, s};
+    }
+}
+
+double angle_of(double y, double x) {
+    if (x == 0 && y == 0) return 0;
+    const double across = std::fabs(x), up = std::fabs(y);
+    const bool steep = up > across;
+    const double small = steep ? across : up, large = steep ? up : across;
+    // Less the nearest multiple of pi/16, whose tangents these are.
+    constexpr std::array tangent{0.0, 0.198912367379658006911597622645, 0.414213562373095048801688724210,
+                                 0.668178637919298919997757686523, 1.0};
+    constexpr std::array limit{0.0984914033571642530771975212913, 0.303346683607342391675883946941,
+                               0.534511135950791641089685961295, 0.820678790828660330972281985331};
+    int k = 0;
+    for (const double l : limit) k += small > l * large;
+    const double t = tangent[k];
+    double angle = k * (pi / 16) + arc_tangent_near_zero((small - t * large) / (large + t * small));
+    if (steep) angle = pi / 2 - angle;
+    if (x < 0) angle = pi - angle;
+    return y < 0 ? -angle : angle;
+}
+
+double arc_sine(double sine) { return angle_of(sine, std::sqrt((1 - sine) * (1 + sine))); }
 
 double sine(double degrees) { return sine_of_quarters(degrees, 0); }
 double cosine(double degrees) { return sine_of_quarters(degrees, 1); }
@@ -100,23 +147,6 @@ double power(double x, double y) {
     return exponential(y * logarithm(x));
 }
 
-double arc_tangent(double y, double x) {
-    if (x == 0 && y == 0) return 0;
-    // The angle is halved three times, which leaves less than 12 degrees for the series.
-    double angle_factor = 1;
-    const double length = std::sqrt(x * x + y * y);
-    double c = x / length, s = y / length;
-    if (s == 0) return c > 0 ? 0 : 180;
-    for (int i = 0; i < 4; ++i, angle_factor *= 2) {
-        // tan(a/2) = sin a / (1 + cos a), or (1 - cos a) / sin a where that would cancel
-        const double t = c > 0 ? s / (1 + c) : (1 - c) / s;
-        const double scale = 1 / std::sqrt(1 + t * t);
-        c = scale, s = t * scale;
-    }
-    const double t = s / c;
-    double sum = 0;
-    for (int i = 21, sign = 1; i > 0; i -= 2, sign = -sign) sum = sum * t * t + sign * 1.0 / i;
-    return t * sum * angle_factor / degree;
-}
+double arc_tangent(double y, double x) { return angle_of(y, x) / degree; }
 
-}  // namespace sinew::lsystem
+}  // namespace sinew::portable

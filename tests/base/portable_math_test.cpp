@@ -1,10 +1,10 @@
-#include "sinew/grow/portable_math.h"
+#include "sinew/base/portable_math.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace sinew::lsystem {
+namespace sinew::portable {
 namespace {
 
 constexpr double pi = 3.141592653589793;
@@ -14,6 +14,29 @@ TEST(PortableMath, SineAndCosineAreThoseOfTheAngle) {
         EXPECT_NEAR(sine(degrees), std::sin(degrees * pi / 180), 1e-14) << degrees;
         EXPECT_NEAR(cosine(degrees), std::cos(degrees * pi / 180), 1e-14) << degrees;
     }
+}
+
+TEST(PortableMath, AngleAndPointBelongTogether) {
+    for (double radians = -3.14; radians < 3.1416; radians += 0.00371) {
+        const auto [s, c] = sine_cosine(radians);
+        EXPECT_NEAR(s, std::sin(radians), 3e-16) << radians;
+        EXPECT_NEAR(c, std::cos(radians), 3e-16) << radians;
+        EXPECT_NEAR(angle_of(7 * s, 7 * c), radians, 1e-15) << radians;
+        EXPECT_NEAR(arc_sine(s), std::asin(s), 1e-15) << radians;
+    }
+    for (const double turns : {-2e5, -12345.0, 0.0, 17.0, 1e5})
+        EXPECT_NEAR(sine_cosine(turns + 0.5).sine, std::sin(turns + 0.5), 1e-15) << turns;
+}
+
+TEST(PortableMath, AnglesOfTheAxesAreExact) {
+    EXPECT_EQ(angle_of(0, 0), 0);
+    EXPECT_EQ(angle_of(0, 2), 0);
+    EXPECT_EQ(angle_of(3, 0), pi / 2);
+    EXPECT_EQ(angle_of(0, -1), pi);
+    EXPECT_EQ(angle_of(-1, 0), -pi / 2);
+    EXPECT_EQ(angle_of(5, 5), pi / 4);
+    EXPECT_EQ(angle_of(1e-300, -1e300), pi);
+    EXPECT_EQ(arc_sine(-1), -pi / 2);
 }
 
 TEST(PortableMath, QuarterTurnsAreExact) {
@@ -59,4 +82,4 @@ TEST(PortableMath, ArcTangentFindsTheAngle) {
 }
 
 }  // namespace
-}  // namespace sinew::lsystem
+}  // namespace sinew::portable
