@@ -91,6 +91,36 @@ TEST(Cube, LetsABeamAsLargeAsItsFaceGoOnFlush) {
     for (const double x : {-0.5, 0.5}) EXPECT_TRUE(has_vertex(skin.mesh, {x, 0.3, 2}));
 }
 
+TEST(Cube, HasRoomForATubeNearlyAsWideAsItsFace) {
+    for (const double radius : {0.2, 0.3, 0.4, 0.44, 0.5, 2.0})
+        for (const NodeType root : {NodeType::cube, NodeType::sphere}) {
+            Document d;
+            add(d, -1, {0, 0, 0}, radius, root).size = Vec3(1, 2, 3);
+            add(d, 0, {0, 0, 4}, radius, NodeType::cube).size = Vec3(1, 2, 3);
+            for (int levels = 1; levels <= 3; ++levels) {
+                const QuadMesh fine = smooth(d, levels);
+                for (const Plane& plane : fine.features.planes)  // every face lies the right way round
+                    for (const std::uint32_t f : plane.faces) {
+                        const auto face = fine.face(f);
+                        const Vec3f a = fine.positions[face[1]] - fine.positions[face[0]],
+                                    b = fine.positions[face[2]] - fine.positions[face[0]];
+                        EXPECT_GT(a.cross(b).dot(plane.normal), 0) << radius;
+                    }
+            }
+        }
+}
+
+TEST(Cube, PartsAllItsEdgesAlike) {
+    Document d;  // the wide tube wants more vertices than four
+    add(d, -1, {0, 0, 0}, 0.5, NodeType::cube).size = Vec3(1, 2, 3);
+    add(d, 0, {0, 0, 4}, 0.5);
+    const Skin skin = solid(d);
+    for (const double x : {-0.5, -0.5 / 3, 0.5 / 3, 0.5})
+        for (const double y : {-1.0, 1.0})
+            for (const double z : {-1.5, 1.5}) EXPECT_TRUE(has_vertex(skin.mesh, {x, y, z}));
+    EXPECT_EQ(skin.mesh.features.circles.at(0).edges.size(), 12u);
+}
+
 TEST(Cube, WithSeveralBonesThroughOneFaceIsClosed) {
     Document d;
     add(d, -1, {0, 0, 0}, 0.3, NodeType::cube);
@@ -194,7 +224,9 @@ TEST(Negative, NeighboursThatOverlapMergeIntoOneGroove) {
     const QuadMesh mesh = smooth(d);
     // Between the dents no ridge comes up to the surface.
     for (const Vec3f& p : mesh.positions)
-        if (p.z() > 0 && std::abs(p.y()) < 0.02 && std::abs(p.x()) < 0.22) EXPECT_LT(p.norm(), 0.97);
+        if (p.z() > 0 && std::abs(p.y()) < 0.02 && std::abs(p.x()) < 0.22) {
+            EXPECT_LT(p.norm(), 0.97);
+        }
 }
 
 TEST(Negative, AtTheEndOfALimbMakesABowl) {

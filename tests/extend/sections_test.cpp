@@ -39,6 +39,33 @@ TEST(Cone, HasItsTipWhereItWasPut) {
     EXPECT_TRUE(has_vertex(smooth(tube(NodeType::cone)), {0, 0, 3}));
 }
 
+/// Largest distance of the surface between two heights to a straight cone about z, as a share of the wide
+/// end.
+double off_cone(const QuadMesh& mesh, double low, double wide, double high, double narrow) {
+    double worst = 0;
+    for (const Vec3f& p : mesh.positions) {
+        const double t = (p.z() - low) / (high - low);
+        if (t > 0.1 && t < 1 && p.head<2>().norm() > 1e-6)
+            worst = std::max(worst, std::abs(p.head<2>().norm() - wide - t * (narrow - wide)));
+    }
+    return worst / wide;
+}
+
+TEST(Cone, IsStraightWhenSubdivided) {
+    Document d = tube(NodeType::sphere);
+    d.nodes[0].type = NodeType::hemisphere;
+    add(d, 1, {0, 0, 8}, 0.5, NodeType::cone);
+    EXPECT_LT(off_cone(smooth(d), 3, 0.5, 8, 0), 0.08);
+}
+
+TEST(SphereLeaf, EndsALongTaperWithoutAKnob) {
+    Document d = tube(NodeType::hemisphere);
+    add(d, 1, {0, 0, 9}, 0.05).parent = 0;
+    d.nodes[0].type = NodeType::cube;
+    d.nodes.erase(d.nodes.begin() + 1);
+    EXPECT_LT(off_cone(smooth(d), 0.5, 0.45, 9, 0.05), 0.08);
+}
+
 TEST(SphereLeaf, HasTheRingsOfItsProfile) {
     SkinOptions eight{.sides = 8};
     const Skin skin = solid(tube(NodeType::sphere), eight);
@@ -77,7 +104,9 @@ TEST(RectangularSection, IsOneStraightBeamWithoutTwistOrWaist) {
         // Four lines of creases along: corner k joins corner k.
         for (const Crease& crease : mesh.features.creases) {
             const Vec3f along = mesh.positions[crease.edge[1]] - mesh.positions[crease.edge[0]];
-            if (std::abs(along.x()) > 1e-6) EXPECT_LT(along.tail<2>().norm(), 1e-6);
+            if (std::abs(along.x()) > 1e-6) {
+                EXPECT_LT(along.tail<2>().norm(), 1e-6);
+            }
         }
     }
 }

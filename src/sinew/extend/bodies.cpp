@@ -11,7 +11,8 @@ namespace {
 
 constexpr double plate_gap =
     1e-7;  // of the face: how far a tube's end stands before the face, so that bones have a length
-constexpr double widest_tube = 0.98;  // of a face's smaller half extent, for round tubes
+constexpr double widest_beam = 0.98;  // of a face's smaller half extent
+constexpr double widest_tube = 0.9;   // the same for round tubes, which bulge between their vertices
 constexpr double bare =
     0.643;  // cosine of 50 degrees: an axis with no bone nearer than that gets one of its own
 
@@ -60,6 +61,16 @@ bool is_flush(const PlainBuilder& b, std::int32_t neighbour, const Face& face) {
     return std::abs(x - face.half_x) < 0.01 * face.half_x && std::abs(y - face.half_y) < 0.01 * face.half_y;
 }
 
+/// Vertices that a circle needs beside an edge. Subdivision moves the middles of its chords out to the
+/// circle, by a sagitta at first, by twice that in the end (each level halves the room and quarters the
+/// sagitta), and they must not reach the edge.
+std::int32_t sides_beside_edge(double radius, double to_edge) {
+    constexpr double enough = 0.4;  // of the room
+    for (std::int32_t sides = 4; sides < 16; sides += 4)
+        if (radius * (1 - std::cos(M_PI / sides)) <= enough * (to_edge - radius)) return sides;
+    return 16;
+}
+
 /// The end of a tube on a face: opposite its other end where it fits there, else in the middle.
 std::int32_t add_plate(PlainBuilder& b, std::int32_t node, std::int32_t neighbour, const Face& face) {
     const double fits = std::min(face.half_x, face.half_y);
@@ -71,7 +82,7 @@ std::int32_t add_plate(PlainBuilder& b, std::int32_t node, std::int32_t neighbou
             turn_frame({beam.x, beam.y, beam.z.dot(face.frame.z) < 0 ? Vec3(-beam.z) : beam.z}, face.frame.z);
         form.section = Section::rectangular;
         form.x = turned.x, form.y = form.z.cross(turned.x);
-        form.half = {std::min(beam.half.x(), widest_tube * fits), std::min(beam.half.y(), widest_tube * fits),
+        form.half = {std::min(beam.half.x(), widest_beam * fits), std::min(beam.half.y(), widest_beam * fits),
                      1};
     } else {
         const double radius = std::min(b.radius(node), widest_tube * fits);
@@ -81,6 +92,8 @@ std::int32_t add_plate(PlainBuilder& b, std::int32_t node, std::int32_t neighbou
     double x = offset.dot(face.frame.x), y = offset.dot(face.frame.y);
     const double reach = form.half.head<2>().maxCoeff();
     if (std::abs(x) > face.half_x - reach || std::abs(y) > face.half_y - reach) x = y = 0;
+    if (form.section == Section::round)
+        form.sides = sides_beside_edge(reach, std::min(face.half_x - std::abs(x), face.half_y - std::abs(y)));
     const Vec3 at = face.middle + x * face.frame.x + y * face.frame.y + plate_gap * fits * face.frame.z;
     const std::int32_t plate = b.add_node(at, reach, node);
     b.set_form(plate, form);
@@ -135,8 +148,9 @@ int face_towards(const Form& box, const Vec3& offset) {
 
 /// Several bones through one face part at a ball of their own before it.
 std::int32_t add_fork(PlainBuilder& b, std::int32_t node, const Face& face) {
-    const double radius = 0.9 * std::min(face.half_x, face.half_y);
-    const Form form = ring_form(face.frame, radius, radius, Section::round, infinitely_sharp);
+    const double radius = widest_tube * std::min(face.half_x, face.half_y);
+    Form form = ring_form(face.frame, radius, radius, Section::round, infinitely_sharp);
+    form.sides = sides_beside_edge(radius, std::min(face.half_x, face.half_y));
     const std::int32_t plate = b.add_node(face.middle + plate_gap * radius * face.frame.z, radius, node);
     b.set_form(plate, form);
     b.add_bone(node, plate, BoneKind::body);

@@ -14,6 +14,8 @@ constexpr int steps = 16;
 struct Freedom {
     Vec3f axis = Vec3f::Zero();
     bool in_plane = false;
+    std::uint32_t before = no_vertex,
+                  after = no_vertex;  ///< the next one of the column, where the tube tapers
 };
 
 class Fitter {
@@ -72,6 +74,14 @@ class Fitter {
                 // given back.
                 if (tube) target = ring.centre + wider * (target - ring.centre);
             }
+            if (!tube) continue;
+            const bool is_first = i == s.first[p], is_last = i + 1 == s.first[p + 1];
+            const bool before = !is_first && tapers(s.stations[i - 1], ring),
+                       after = !is_last && tapers(ring, s.stations[i + 1]);
+            for (std::uint32_t v = first; v < first + sides; ++v) {
+                freedom_[v].before = is_first ? tip(p, 0) : before ? v - sides : no_vertex;
+                freedom_[v].after = is_last ? tip(p, 1) : after ? v + sides : no_vertex;
+            }
         }
         const auto nodes = n_.nodes(p);
         for (int end = 0; end < 2; ++end) {
@@ -82,6 +92,30 @@ class Fitter {
         }
     }
 
+    static bool tapers(const Station& ring, const Station& next) {
+        return ring.to_next == BoneKind::tube && ring.shape != RingShape::follow &&
+               next.shape != RingShape::follow &&
+               std::abs(ring.half.sum() - next.half.sum()) > 0.05 * ring.half.sum();
+    }
+
+    std::uint32_t tip(std::int32_t p, int end) const {
+        const auto nodes = n_.nodes(p);
+        const bool is_tip = d_.skeleton.cap[end == 0 ? nodes.front() : nodes.back()] == Cap::point;
+        return is_tip ? b_.path_pole[p][end] : no_vertex;
+    }
+
+    /// Where rings are unevenly spaced, the limit of one lies further along the tube than its target; what it
+    /// should be there is on the line to the next ring's target.
+    Vec3 target_at(std::size_t v, const Vec3& limit, const Vec3& axis) const {
+        const Freedom& f = freedom_[v];
+        const double beyond = (limit - targets_[v]).dot(axis);
+        const std::uint32_t next = beyond > 0 ? f.after : f.before;
+        if (next == no_vertex) return targets_[v];
+        const Vec3 way = targets_[next] - targets_[v];
+        const double length = way.dot(axis);
+        return length * beyond > 0 ? Vec3(targets_[v] + std::min(1.0, beyond / length) * way) : targets_[v];
+    }
+
     std::vector<Vec3> iterate(const LimitStencils& stencils) const {
         std::vector<Vec3> control = targets_, limit(targets_.size());
         for (int step = 0; step < steps; ++step) {
@@ -89,8 +123,8 @@ class Fitter {
             tbb::parallel_for(tbb::blocked_range<std::size_t>(0, control.size(), 4096),
                               [&](const auto& range) {
                                   for (std::size_t v = range.begin(); v < range.end(); ++v) {
-                                      const Vec3 lack = targets_[v] - limit[v],
-                                                 axis = freedom_[v].axis.template cast<double>();
+                                      const Vec3 axis = freedom_[v].axis.template cast<double>();
+                                      const Vec3 lack = target_at(v, limit[v], axis) - limit[v];
                                       const Vec3 along = lack.dot(axis) * axis;
                                       control[v] += freedom_[v].in_plane ? Vec3(lack - along) : along;
                                   }

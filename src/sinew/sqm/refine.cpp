@@ -251,8 +251,10 @@ class Refiner {
         for (std::int32_t p = 0; p < n_.path_count(); ++p)
             corners_[p] = !skeleton_.forms.empty() && has_corners(p);
         step_.assign(n_.path_count(), 1);
-        for (std::int32_t p = 0; p < n_.path_count(); ++p)
+        for (std::int32_t p = 0; p < n_.path_count(); ++p) {
             if (corners_[p]) step_[p] = 4;
+            if (!skeleton_.forms.empty()) least_[p] = std::max(least_[p], sides_of_forms(p));
+        }
         if (!images_.any()) return least_without_symmetry();
         JointProblem joint(skeleton_, n_, p_, images_);
         for (std::int32_t j = 0; j < n_.joint_count(); ++j) {
@@ -294,6 +296,34 @@ class Refiner {
     }
     static std::int32_t round_up(std::int32_t count, std::int32_t step) {
         return (count + step - 1) / step * step;
+    }
+
+    /// What the rings of the path ask for.
+    std::int32_t sides_of_forms(std::int32_t path) const {
+        std::int32_t sides = 4;
+        for (const std::int32_t node : n_.nodes(path))
+            if (const Form* form = skeleton_.form(node)) sides = std::max(sides, form->sides);
+        return sides;
+    }
+
+    /// A box has as many pieces on each edge, so that its corners part all its faces' rings evenly.
+    bool settle_box(std::int32_t j, std::int32_t core_count) {
+        const Form* form = skeleton_.form(n_.joint_node[j]);
+        if (!form || form->kind != Form::Kind::box) return false;
+        std::int32_t known = unknown, least = 4, step = 4;
+        bool agree = true;
+        for_slots(n_, j, [&](std::int32_t, std::int32_t path) {
+            least = std::max(least, least_[path]);
+            step = std::lcm(step, step_[path]);
+            const std::int32_t sides = regions_.core[path] ? core_count : out_.path_sides[path];
+            if (sides == unknown) return;
+            agree = agree && (known == unknown || known == sides);
+            known = sides;
+        });
+        const std::int32_t count = known != unknown ? known : round_up(least, step);
+        if (!agree || count < least || count % step != 0) return false;
+        for (std::int32_t a = p_.arc_first[j]; a < p_.arc_first[j + 1]; ++a) set_pieces(a, count / 4);
+        return true;
     }
 
     /// Whether rings of the path have four corners.
@@ -390,7 +420,7 @@ class Refiner {
     /// Solves a core joint with the least count that it can meet, and writes its pieces down. Joints share no
     /// arcs.
     std::int32_t least_met(JointProblem& joint, std::int32_t j, std::int32_t count, std::int32_t step) {
-        if (settle_for_least(j, count)) return count;
+        if (settle_box(j, count) || settle_for_least(j, count)) return count;
         joint.take(j);
         for (; count < hopeless; count += step) {
             if (!solve_joint(joint, j, count)) continue;
@@ -419,7 +449,7 @@ class Refiner {
             }
         };
         auto solve = [&](std::int32_t j) {
-            if (!settle_for_least(j, unknown)) {
+            if (!settle_box(j, unknown) && !settle_for_least(j, unknown)) {
                 joint.take(j);
                 if (!solve_joint(joint, j, unknown)) return false;
                 write(joint, j);
@@ -465,14 +495,14 @@ class Refiner {
         return true;
     }
     void write(const JointProblem& joint, std::int32_t j) {
-        for (std::int32_t a = p_.arc_first[j]; a < p_.arc_first[j + 1]; ++a) {
-            const std::int32_t pieces = joint.pieces(a);
-            std::int32_t image = a;
-            do {
-                out_.pieces[image] = pieces;
-                if (images_.any()) image = images_.arc[image];
-            } while (image != a);
-        }
+        for (std::int32_t a = p_.arc_first[j]; a < p_.arc_first[j + 1]; ++a) set_pieces(a, joint.pieces(a));
+    }
+    void set_pieces(std::int32_t arc, std::int32_t pieces) {
+        std::int32_t image = arc;
+        do {
+            out_.pieces[image] = pieces;
+            if (images_.any()) image = images_.arc[image];
+        } while (image != arc);
     }
 
     const Plain& skeleton_;
