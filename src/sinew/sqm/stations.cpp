@@ -10,6 +10,33 @@ namespace sinew::sqm {
 namespace {
 
 constexpr std::int32_t chunk_size = 256;  // paths that one task takes
+
+/// Cosine of the angle between a unit vector and the nearest point of the arc between two others' directions.
+double nearest_cosine(const Vec3& axis, const Vec3& from, const Vec3& to) {
+    const Vec3 normal = from.cross(to);
+    const bool over = normal.cross(from).dot(axis) > 0 && to.cross(normal).dot(axis) > 0;
+    if (!over) return std::max(from.dot(axis) / from.norm(), to.dot(axis) / to.norm());
+    const double height = normal.dot(axis) / normal.norm();
+    return std::sqrt(std::max(0.0, 1 - height * height));
+}
+
+/// How far along its bone the side of a cone needs to be inside the directions of its cell, so that it cannot
+/// run into the neighbours' tubes: where a ring is seen under the least angle between the bone and the cell's
+/// border. Not further than the joint may reach; 0 where that is not enough.
+double height_in_cell(const PathWork& w, const JointSide& side, const ConeFrom& cone, double limit) {
+    double cosine = -1;
+    for (std::size_t k = 0; k < side.ring.size(); ++k) {
+        const Vec3 a = w.points.position[side.ring[k]] - side.centre;
+        const Vec3 b = w.points.position[side.ring[(k + 1) % side.ring.size()]] - side.centre;
+        cosine = std::max(cosine, nearest_cosine(cone.axis, a, b));
+    }
+    if (cosine <= 0 || cone.nested()) return 0;
+    const double tangent = std::sqrt(std::max(0.0, 1 - cosine * cosine)) / cosine;
+    const double closing = cone.cosine * tangent + cone.sine;
+    const double height = closing > 0 ? cone.near / closing : limit;
+    return height < limit ? height : 0;
+}
+
 void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
     side.ring.clear();
     side.joint = end.joint;
@@ -20,7 +47,8 @@ void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
     append_ring(w.p, w.r, w.points, end.joint, side.cell, side.ring);
     if (is_far) std::reverse(side.ring.begin(), side.ring.end());
     side.centre = w.s.position[w.n.joint_node[end.joint]];
-    const Vec3& axis = w.points.cone[w.n.slot_first[end.joint] + end.slot].axis;
+    const std::int32_t slot = w.n.slot_first[end.joint] + end.slot;
+    const Vec3& axis = w.points.cone[slot].axis;
     for (const std::uint32_t i : side.ring) {
         const Vec3 from = w.points.position[i] - side.centre;
         const double distance = from.norm(), along = from.dot(axis);
@@ -28,6 +56,10 @@ void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
         side.farthest = std::max(side.farthest, distance);
         side.widest = std::min(side.widest, along / distance);
     }
+    if (w.points.body[end.joint] || w.points.kind[slot] != SlotKind::cone) return;
+    const ConeFrom& cone = w.points.cone[slot];
+    side.reach =
+        std::max(side.reach, height_in_cell(w, side, cone, std::min(cone.length, w.points.limit[slot])));
 }
 
 /// @param least_rings  rings that the path must have, so that no two paths share an edge
