@@ -58,8 +58,8 @@ void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
     }
     if (w.points.body[end.joint] || w.points.kind[slot] != SlotKind::cone) return;
     const ConeFrom& cone = w.points.cone[slot];
-    side.reach =
-        std::max(side.reach, height_in_cell(w, side, cone, std::min(cone.length, w.points.limit[slot])));
+    const double limit = std::min(cone.length - 0.25 * cone.far, w.points.limit[slot]);
+    side.reach = std::max(side.reach, height_in_cell(w, side, cone, limit));
 }
 
 /// @param least_rings  rings that the path must have, so that no two paths share an edge
