@@ -125,13 +125,14 @@ void concatenate(Stations& to, const Stations& from) {
 }  // namespace
 
 Stations make_stations(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
-                       const Refinement& refinement, const JointPoints& points) {
+                       const Refinement& refinement, const JointPoints& points,
+                       const StationOptions& options) {
     const std::vector<std::uint8_t> least = least_rings(network);
     const std::int32_t paths = network.path_count(), chunks = (paths + chunk_size - 1) / chunk_size;
     std::vector<Stations> parts(chunks);
     tbb::parallel_for(std::int32_t{0}, chunks, [&](std::int32_t chunk) {
         parts[chunk] = empty_stations();
-        PathWork work{skeleton, network, polyhedra, refinement, points, parts[chunk]};
+        PathWork work{skeleton, network, polyhedra, refinement, points, options, parts[chunk]};
         for (std::int32_t p = chunk * chunk_size; p < std::min(paths, (chunk + 1) * chunk_size); ++p)
             build(work, p, least[p]);
     });
