@@ -112,21 +112,21 @@ class Fitter {
     struct RoundEnd {
         Vec3 centre, outward;
         double radius = 1, width = 1;  // the radius, and the half extent that stands for it in a ring
-        double begin = 0;              // of the ball, see fit_round_end
+        double sine = 0;               // of the cone's slope, see fit_round_end
         std::vector<ProfileRow> placed, fitted;  // the pole first; empty if the end is not round
         std::int32_t rings() const { return static_cast<std::int32_t>(placed.size()) - 1; }
     };
     RoundEnd find_round_end(std::int32_t p, int side) const {
         RoundEnd end;
-        if (b_.path_pole[p][side] == no_vertex) return end;
-        std::int32_t rings = 0;
-        while (rings < ring_count(p) && ring_from(p, side, rings).fit == RingFit::cap &&
-               ring_from(p, side, rings).node == ring_from(p, side, 0).node)
-            ++rings;
-        if (rings == 0) return end;
         const Plain& s = d_.skeleton;
         const auto nodes = n_.nodes(p);
         const std::int32_t leaf = side == 0 ? nodes.front() : nodes.back();
+        if (b_.path_pole[p][side] == no_vertex || s.cap[leaf] != Cap::round) return end;
+        std::int32_t rings = 0;
+        while (rings < ring_count(p) && ring_from(p, side, rings).fit == RingFit::cap &&
+               ring_from(p, side, rings).node == leaf)
+            ++rings;
+        if (rings == 0) return end;
         const std::int32_t other = side == 0 ? nodes[1] : nodes[nodes.size() - 2];
         const Vec3 along = s.position[leaf] - s.position[other];
         end.centre = s.position[leaf];
@@ -137,7 +137,7 @@ class Fitter {
         end.radius = s.radius[leaf];
         end.width = width(leaf);
         const double narrowing = (width(other) / end.width - 1) * end.radius / along.norm();
-        end.begin = std::asin(std::clamp(narrowing, -0.9, 0.9));
+        if (along.norm() > 0) end.sine = std::clamp(narrowing, -0.9, 0.9);
         end.placed.push_back({1, 0});
         for (std::int32_t i = 0; i < rings; ++i)
             end.placed.push_back(row_of(end, ring_from(p, side, i).centre, ring_from(p, side, i).half.x()));
@@ -156,7 +156,7 @@ class Fitter {
         ProfileRow below[2];
         for (std::int32_t i = 0; i < 2; ++i) {
             const ProfileRow& above = i == 0 ? end.placed[rings] : below[0];
-            below[i] = {above.height - std::cos(end.begin), above.radius + std::sin(end.begin)};
+            below[i] = {above.height - std::sqrt(1 - end.sine * end.sine), above.radius + end.sine};
             if (rings + i >= count) continue;
             const Station& ring = ring_from(p, side, rings + i);
             const std::int32_t in_other = count - (rings + i);  // counted from the other pole
@@ -169,7 +169,7 @@ class Fitter {
             }
         }
         end.fitted = end.placed;
-        fit_round_end(end.begin, end.fitted, below);
+        fit_round_end(end.sine, end.fitted, below);
     }
 
     /// Puts the poles and rings of round ends where their control points belong.
@@ -188,7 +188,7 @@ class Fitter {
         const auto put = [&](std::uint32_t vertex, std::int32_t i) {
             const ProfileRow &from = end.placed[i], &to = end.fitted[i];
             const Vec3 height = end.radius * end.outward, middle = end.centre + from.height * height;
-            const double wider = i == 0 ? 1 : held * to.radius / from.radius;
+            const double wider = i == 0 ? 1 : from.radius > 0 ? held * to.radius / from.radius : held;
             targets_[vertex] =
                 middle + (to.height - from.height) * height + wider * (targets_[vertex] - middle);
         };

@@ -230,7 +230,9 @@ class RingPlacer {
     bool wants_support(std::int32_t i) const {
         if (!w_.options.support || w_.closed) return false;
         const std::int32_t last = w_.count() - 1;
-        if (i == 0 || i == last) return w_.s.cap[w_.node(i)] == Cap::round && !is_rectangular(i);
+        if (i == 0 || i == last)
+            return !(i == 0 ? w_.near : w_.far).any() && w_.s.cap[w_.node(i)] == Cap::round &&
+                   !is_rectangular(i);
         return is_base_of_tip(i);
     }
     bool is_base_of_tip(std::int32_t i) const {
@@ -244,8 +246,8 @@ class RingPlacer {
         return f && f->kind == Form::Kind::ring && f->section == Section::rectangular;
     }
     double slope(std::int32_t bone) const {
-        return std::atan2(w_.radius(bone + 1) - w_.radius(bone),
-                          (w_.position(bone + 1) - w_.position(bone)).norm());
+        return portable::angle_of(w_.radius(bone + 1) - w_.radius(bone),
+                                  (w_.position(bone + 1) - w_.position(bone)).norm());
     }
 
     /// Rings along a bone: one beside each joint, so that the tube keeps its radius from there on, and some
@@ -256,17 +258,21 @@ class RingPlacer {
         const std::pair<double, double> free = free_part(bone, cone);
         const double low = free.first, high = free.second;  // clang 14: a lambda takes no structured binding
         const bool hold_near = wants_support(bone), hold_far = wants_support(bone + 1);
-        const bool at_near = hold_near || leaves_joint(bone, true),
-                   at_far = hold_far || leaves_joint(bone + 1, false);
+        const bool at_near = !hold_near && leaves_joint(bone, true),
+                   at_far = !hold_far && leaves_joint(bone + 1, false);
         const double low_edge = edge(cone.radius_at(low)), high_edge = edge(cone.radius_at(high)),
                      room = high - low;
         heights_.clear();
         if (at_near && at_far && room <= 0.75 * (low_edge + high_edge)) {
             if (room > 0.4 * (low_edge + high_edge)) heights_.push_back((low + high) / 2);
         } else {
-            if (at_near && room > 1.25 * low_edge) heights_.push_back(low + 0.4 * low_edge);
-            if (at_far && room > 1.25 * high_edge) heights_.push_back(high - 0.4 * high_edge);
+            const double part = hold_near || hold_far ? room / 2 : room;
+            if (at_near && part > 1.25 * low_edge) heights_.push_back(low + 0.4 * low_edge);
+            if (at_far && part > 1.25 * high_edge) heights_.push_back(high - 0.4 * high_edge);
         }
+        const double part = hold_near && hold_far ? room / 2 : at_near || at_far ? 0.6 * room : room;
+        if (hold_near) offer_support(low, 1, low_edge, part);
+        if (hold_far) offer_support(high, -1, high_edge, part);
         const bool shaped =
             is_shaped(bone) || is_shaped(bone + 1) || shaped_joint(bone) || shaped_joint(bone + 1);
         if (!shaped) offer_steep(bone, cone, low, high);
@@ -276,6 +282,15 @@ class RingPlacer {
                                 bone, height / cone.length);
             if (hold_near || hold_far) ring.fit = RingFit::held;
             if (shaped) blend(ring, bone, height / cone.length);
+        }
+    }
+    /// Two rings beside one that the smooth surface bends at: from the second on it is as without the bend.
+    void offer_support(double from, double sign, double edge, double room) {
+        if (room > 0.9 * edge) {
+            heights_.push_back(from + sign * 0.3 * edge);
+            heights_.push_back(from + sign * 0.65 * edge);
+        } else if (room > 0.3 * edge) {
+            heights_.push_back(from + sign * 0.5 * room);
         }
     }
     bool shaped_joint(std::int32_t i) const {

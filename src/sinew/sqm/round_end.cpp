@@ -22,7 +22,7 @@ Weights spline_weights(double t) {
     return {s * s * s / 6, ((3 * t - 6) * t * t + 4) / 6, ((3 * s - 6) * s * s + 4) / 6, t * t * t / 6};
 }
 
-/// Signed distance to the ball above `begin` and to the cone below, and its gradient.
+/// Signed distance to the ball above where the cone touches it, and to the cone below, and its gradient.
 struct Distance {
     double value = 0;
     Vec2 gradient = Vec2::Zero();  // of height and radius
@@ -36,9 +36,9 @@ Distance distance_at(double height, double radius, const Vec2& touch) {
 /// Unknown 0 is the height of the pole, 2 i - 1 and 2 i are the height and radius of ring i.
 class Fit {
   public:
-    Fit(double begin, std::span<const ProfileRow> rows, const ProfileRow (&below)[2])
+    Fit(double sine, std::span<const ProfileRow> rows, const ProfileRow (&below)[2])
         : rings_(static_cast<int>(rows.size()) - 1),
-          touch_(std::sin(begin), std::cos(begin)),
+          touch_(sine, std::sqrt(1 - sine * sine)),
           below_{below[0], below[1]},
           at_(2 * rings_ + 1) {
         at_[0] = rows[0].height;
@@ -103,8 +103,8 @@ class Fit {
 
 }  // namespace
 
-void fit_round_end(double begin, std::span<ProfileRow> rows, const ProfileRow (&below)[2]) {
-    Fit fit(begin, rows, below);
+void fit_round_end(double sine, std::span<ProfileRow> rows, const ProfileRow (&below)[2]) {
+    Fit fit(sine, rows, below);
     fit.run();
     const int rings = static_cast<int>(rows.size()) - 1;
     for (int i = 0; i <= rings; ++i)

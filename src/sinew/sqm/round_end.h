@@ -21,12 +21,12 @@ struct ProfileRow {
 
 inline constexpr std::size_t most_round_rings = 8;  ///< with more the rings themselves are near enough
 
-/// @param begin  radians: where the cone below touches the ball, seen from its centre above the equator
+/// @param sine   of the cone's slope below, above -1 and below 1: at this height it touches the ball
 /// @param rows   in and out: the pole first, whose radius stays 0, then 1 to most_round_rings rings, the
 ///               highest first; on the way in on the ball
 /// @param below  the next two rings down the path, whose control points are known
 /// Rows that would not stand above one another (rings below that are no continuation of the end) are left as
 /// they were.
-void fit_round_end(double begin, std::span<ProfileRow> rows, const ProfileRow (&below)[2]);
+void fit_round_end(double sine, std::span<ProfileRow> rows, const ProfileRow (&below)[2]);
 
 }  // namespace sinew::sqm
