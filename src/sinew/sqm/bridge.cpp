@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "sinew/base/large_array.h"
+
 namespace sinew::sqm {
 namespace {
 
@@ -59,9 +61,9 @@ class Builder {
             return fail(ErrorKind::input, "the mesh would have more than 4,000 million vertices",
                         "skin it in parts");
         QuadMesh& mesh = out_.mesh;
-        mesh.positions.resize(vertices_);
-        mesh.corners.resize(corner_total_);
-        mesh.face_offsets.resize(face_total_ + 1);
+        resize_large<Vec3f>(mesh.positions, vertices_, Vec3f::Zero());
+        resize_large(mesh.corners, corner_total_);
+        resize_large(mesh.face_offsets, face_total_ + 1);
         mesh.face_offsets[face_total_] = static_cast<std::uint32_t>(corner_total_);
         tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n_.path_count(), 128), [&](const auto& range) {
             std::vector<std::uint32_t> a, b;

@@ -7,16 +7,12 @@
 /// drive each other apart.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "sinew/sqm/bridge.h"
 
 namespace sinew::sqm {
 
-/// @param bridge   with all faces and features, and finite positions
-/// @param targets  positions on the ideal surface
-/// Fails only if the limit surface of the mesh cannot be found.
-Result<std::vector<Vec3>> fit_limit(const Parts& parts, const Bridge& bridge, std::span<const Vec3> targets);
+/// @param bridge  with all faces and features; its positions, on the ideal surface, become those of the
+/// control points Fails only if the limit surface of the mesh cannot be found.
+Result<void> fit_limit(const Parts& parts, Bridge& bridge);
 
 }  // namespace sinew::sqm

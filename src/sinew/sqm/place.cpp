@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "sinew/base/large_array.h"
 #include "sinew/base/portable_math.h"
 #include "sinew/sqm/features.h"
 #include "sinew/sqm/fit.h"
@@ -20,10 +21,9 @@ class Placer {
 
     void run() {
         QuadMesh& mesh = out_.mesh;
-        positions_.resize(mesh.positions.size());
-        mesh.vertex_node.resize(positions_.size());
-        mesh.vertex_bone.assign(positions_.size(), -1);
-        mesh.vertex_along.assign(positions_.size(), 0);
+        resize_large(mesh.vertex_node, mesh.vertex_count());
+        resize_large(mesh.vertex_bone, mesh.vertex_count(), -1);
+        resize_large(mesh.vertex_along, mesh.vertex_count());
         joints();
         tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n_.path_count(), 128), [&](const auto& range) {
             for (std::int32_t p = range.begin(); p < range.end(); ++p) path(p);
@@ -31,13 +31,14 @@ class Placer {
         capped();
         lone();
     }
-    std::vector<Vec3> take_positions() { return std::move(positions_); }
 
   private:
     void set(std::uint32_t vertex, const Vec3& position, std::int32_t node) {
-        positions_[vertex] = position;
+        out_.mesh.positions[vertex] = position.cast<float>();
         out_.mesh.vertex_node[vertex] = d_.skeleton.source_node[node];
     }
+
+    Vec3 position(std::uint32_t vertex) const { return out_.mesh.positions[vertex].cast<double>(); }
 
     void joints() {
         for (std::int32_t j = 0; j < n_.joint_count(); ++j) {
@@ -51,20 +52,33 @@ class Placer {
         }
     }
 
-    /// The vertex of a column, at an angle from ring.x, on a ring that stands by itself.
-    Vec3 on_ring(const Station& ring, std::int32_t p, std::int32_t k, double angle) const {
+    /// The vertices of a ring that stands by itself; column k is seen at angle(k) from ring.x.
+    template <class Angle>
+    void ring_vertices(const Station& ring, std::int32_t p, std::span<Vec3f> to, Angle angle) const {
         const Vec3 y = ring.tangent.cross(ring.x);
-        const auto [sine, cosine] = portable::sine_cosine(angle);
-        const Vec3 ray = cosine * ring.x + sine * y;
-        if (ring.shape == RingShape::outline) return on_outline(ring, p, k);
-        if (ring.shape == RingShape::pit) return on_pit(ring, p, ellipse(ring, ray));
-        if (ring.shape == RingShape::circle || !options_.ideal)
-            return ring.centre + widened(ring, ellipse(ring, ray));
-        const auto cone = [&](std::int32_t other) {
-            const Plain& s = d_.skeleton;
-            return ConeFrom(ring.centre, ring.half.x(), s.position[other], s.radius[other]);
+        const auto put = [&](auto from_ray) {
+            for (std::size_t k = 0; k < to.size(); ++k) {
+                const auto [sine, cosine] = portable::sine_cosine(angle(k));
+                to[k] = from_ray(cosine * ring.x + sine * y).template cast<float>();
+            }
         };
-        return ring.centre + std::max(cone(ring.before).exit(ray), cone(ring.after).exit(ray)) * ray;
+        if (ring.shape == RingShape::outline) {
+            for (std::size_t k = 0; k < to.size(); ++k)
+                to[k] = on_outline(ring, p, static_cast<std::int32_t>(k)).cast<float>();
+        } else if (ring.shape == RingShape::pit) {
+            put([&](const Vec3& ray) -> Vec3 { return on_pit(ring, p, ellipse(ring, ray)); });
+        } else if (ring.shape == RingShape::node && options_.ideal) {
+            const ConeFrom before = cone_from(ring, ring.before), after = cone_from(ring, ring.after);
+            put([&](const Vec3& ray) -> Vec3 {
+                return ring.centre + std::max(before.exit(ray), after.exit(ray)) * ray;
+            });
+        } else {
+            put([&](const Vec3& ray) -> Vec3 { return ring.centre + widened(ring, ellipse(ring, ray)); });
+        }
+    }
+    ConeFrom cone_from(const Station& ring, std::int32_t other) const {
+        const Plain& s = d_.skeleton;
+        return {ring.centre, ring.half.x(), s.position[other], s.radius[other]};
     }
     static Vec3 ellipse(const Station& ring, const Vec3& ray) {
         if (ring.half.x() == ring.half.y()) return ring.half.x() * ray;
@@ -135,20 +149,20 @@ class Placer {
         for (std::int32_t i = first; i < end; ++i) {
             const Station& ring = s.stations[i];
             const std::uint32_t vertex = out_.path_vertex[p] + (i - first) * sides;
-            for (std::int32_t k = 0; k < sides; ++k) {
-                origin(vertex + k, ring);
-                if (ring.shape == RingShape::follow) continue;
-                const double at = angle[k] + ring.turn + ring.near_share * near[k] + ring.far_share * far[k];
-                set(vertex + k, on_ring(ring, p, k, at), ring.node);
-            }
+            origin(vertex, sides, ring);
+            if (ring.shape == RingShape::follow) continue;
+            ring_vertices(
+                ring, p, {&out_.mesh.positions[vertex], static_cast<std::size_t>(sides)}, [&](std::size_t k) {
+                    return angle[k] + ring.turn + ring.near_share * near[k] + ring.far_share * far[k];
+                });
         }
         poles(p);
         follow(p);
     }
-    void origin(std::uint32_t vertex, const Station& ring) {
-        out_.mesh.vertex_node[vertex] = d_.skeleton.source_node[ring.node];
-        out_.mesh.vertex_bone[vertex] = d_.skeleton.source_bone[ring.bone];
-        out_.mesh.vertex_along[vertex] = ring.along;
+    void origin(std::uint32_t vertex, std::int32_t sides, const Station& ring) {
+        std::fill_n(&out_.mesh.vertex_node[vertex], sides, d_.skeleton.source_node[ring.node]);
+        std::fill_n(&out_.mesh.vertex_bone[vertex], sides, d_.skeleton.source_bone[ring.bone]);
+        std::fill_n(&out_.mesh.vertex_along[vertex], sides, ring.along);
     }
 
     /// Rings between a joint and the first proper one, or the pole: along great circles, out to the joint's
@@ -175,7 +189,7 @@ class Placer {
                     const std::uint32_t target = to_pole ? out_.path_pole[p][1 - side]
                                                          : out_.path_vertex[p] + (proper - first) * sides + k;
                     set(out_.path_vertex[p] + (i - first) * sides + k,
-                        between(e.joint, positions_[joint_ring[k]], positions_[target], s.stations[i].share),
+                        between(e.joint, position(joint_ring[k]), position(target), s.stations[i].share),
                         s.stations[i].node);
                 }
         }
@@ -261,29 +275,17 @@ class Placer {
     const Network& n_;
     PlaceOptions options_;
     Bridge& out_;
-    std::vector<Vec3> positions_;
 };
-
-void store(const std::vector<Vec3>& positions, QuadMesh& mesh) {
-    for (std::size_t v = 0; v < positions.size(); ++v) mesh.positions[v] = positions[v].cast<float>();
-}
 
 }  // namespace
 
 Result<void> place(const Parts& parts, const Images& images, const PlaceOptions& options, Bridge& bridge) {
-    Placer placer(parts, options, bridge);
-    placer.run();
-    std::vector<Vec3> positions = placer.take_positions();
+    Placer(parts, options, bridge).run();
     add_features(parts, bridge);
-    const auto image = vertex_images(parts, images, bridge, positions);
-    if (options.limit) {
-        store(positions, bridge.mesh);  // the limit of a mesh that is not finite is refused
-        auto control = fit_limit(parts, bridge, positions);
-        if (!control) return fail(control.error());
-        positions = std::move(*control);
-    }
-    make_symmetric(images, image, positions);
-    store(positions, bridge.mesh);
+    const auto image = vertex_images(parts, images, bridge);
+    if (options.limit)
+        if (auto fitted = fit_limit(parts, bridge); !fitted) return fitted;
+    make_symmetric(images, image, bridge.mesh.positions);
     return {};
 }
 

@@ -10,14 +10,12 @@ namespace {
 
 class VertexImages {
   public:
-    VertexImages(const Parts& parts, const Images& images, const Bridge& bridge,
-                 std::span<const Vec3> positions)
+    VertexImages(const Parts& parts, const Images& images, const Bridge& bridge)
         : d_(parts),
           n_(parts.network),
           images_(images),
           bridge_(bridge),
-          positions_(positions),
-          image_(positions.size(), no_vertex) {}
+          image_(bridge.mesh.vertex_count(), no_vertex) {}
 
     std::vector<std::uint32_t> run() {
         joints();
@@ -74,11 +72,12 @@ class VertexImages {
         return ends_agree(p, q, n);
     }
 
+    Vec3 position(std::uint32_t vertex) const { return bridge_.mesh.positions[vertex].cast<double>(); }
     std::int32_t nearest(std::uint32_t vertex, std::uint32_t ring, std::int32_t n) const {
-        const Vec3 at = images_.generator * positions_[vertex];
+        const Vec3 at = images_.generator * position(vertex);
         std::int32_t best = 0;
         for (std::int32_t k = 1; k < n; ++k)
-            if ((positions_[ring + k] - at).squaredNorm() < (positions_[ring + best] - at).squaredNorm())
+            if ((position(ring + k) - at).squaredNorm() < (position(ring + best) - at).squaredNorm())
                 best = k;
         return best;
     }
@@ -185,7 +184,7 @@ class VertexImages {
             const std::uint32_t ring = bridge_.path_vertex[p] + (i - first) * n;
             for (std::uint32_t v = ring; v < ring + n; ++v)
                 if (image_[v] != no_vertex &&
-                    (images_.generator * positions_[v] - positions_[image_[v]]).norm() > far)
+                    (images_.generator * position(v) - position(image_[v])).norm() > far)
                     release_orbit(v);
         }
     }
@@ -206,24 +205,23 @@ class VertexImages {
     const Network& n_;
     const Images& images_;
     const Bridge& bridge_;
-    std::span<const Vec3> positions_;
     std::vector<std::uint32_t> image_;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> vertex_images(const Parts& parts, const Images& images, const Bridge& bridge,
-                                         std::span<const Vec3> positions) {
+std::vector<std::uint32_t> vertex_images(const Parts& parts, const Images& images, const Bridge& bridge) {
     if (!images.any()) return {};
-    return VertexImages(parts, images, bridge, positions).run();
+    return VertexImages(parts, images, bridge).run();
 }
 
 void make_symmetric(const Images& images, std::span<const std::uint32_t> vertex_image,
-                    std::span<Vec3> positions) {
+                    std::span<Vec3f> positions) {
     for (std::uint32_t v = 0; v < vertex_image.size(); ++v) {
         if (vertex_image[v] == no_vertex) continue;
         // Only the first of an orbit leads: the others have an image of a lower index on their way round.
-        Vec3 sum = positions[v], point = positions[v];
+        const Vec3 point = positions[v].cast<double>();
+        Vec3 sum = point;
         std::int32_t returns = 0, steps = 0;
         Mat3 power = Mat3::Identity();
         bool first = true;
@@ -234,10 +232,12 @@ void make_symmetric(const Images& images, std::span<const std::uint32_t> vertex_
             if (w == v) ++returns, sum += power * point;
         }
         if (!first) continue;
-        positions[v] = sum / (1 + returns);  // stays put under those symmetries that keep the vertex in place
-        Vec3 at = positions[v];
-        for (std::uint32_t w = vertex_image[v]; w != v; w = vertex_image[w])
-            positions[w] = at = images.generator * at;
+        Vec3 at = sum / (1 + returns);  // stays put under those symmetries that keep the vertex in place
+        positions[v] = at.cast<float>();
+        for (std::uint32_t w = vertex_image[v]; w != v; w = vertex_image[w]) {
+            at = images.generator * at;
+            positions[w] = at.cast<float>();
+        }
     }
 }
 

@@ -13,12 +13,11 @@ namespace sinew::sqm {
 
 /// Vertex -> its image under the generator; no_vertex for those of rings that cannot have one. Empty if the
 /// tubes do not follow the symmetry of the joints.
-std::vector<std::uint32_t> vertex_images(const Parts& parts, const Images& images, const Bridge& bridge,
-                                         std::span<const Vec3> positions);
+std::vector<std::uint32_t> vertex_images(const Parts& parts, const Images& images, const Bridge& bridge);
 
 /// Gives each vertex that is not the first of its orbit the image of the first one's position. Vertices that
 /// are their own image go into the mirror or onto the axis.
 void make_symmetric(const Images& images, std::span<const std::uint32_t> vertex_image,
-                    std::span<Vec3> positions);
+                    std::span<Vec3f> positions);
 
 }  // namespace sinew::sqm
