@@ -9,7 +9,13 @@ namespace {
 
 class AngleFinder {
   public:
-    explicit AngleFinder(PathWork& work) : w_(work), step_(2 * M_PI / work.sides) {}
+    explicit AngleFinder(PathWork& work)
+        : w_(work),
+          step_(2 * M_PI / work.sides),
+          distance_(work.distance),
+          near_angles_(work.near_angles),
+          far_angles_(work.far_angles),
+          anchors_(work.anchors) {}
 
     void run() {
         turn_frames();
@@ -181,8 +187,8 @@ class AngleFinder {
     double step_, phase_ = 0, far_phase_ = 0, length_ = 0;
     std::int32_t corner_ = -1, shift_ = 0;
     Vec3 near_tangent_, far_tangent_, near_x_, far_x_;
-    std::vector<double> distance_, near_angles_, far_angles_;
-    std::vector<std::pair<double, double>> anchors_;  // distance along the path, turn there
+    std::vector<double>&distance_, &near_angles_, &far_angles_;
+    std::vector<std::pair<double, double>>& anchors_;  // distance along the path, turn there
 };
 
 /// Rings that follow the joint's surface to the first proper ring.

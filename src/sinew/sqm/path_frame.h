@@ -41,11 +41,11 @@ inline double angle_round(const Vec3& v, const Vec3& x, const Vec3& y) {
     return portable::angle_of(v.dot(y), v.dot(x));
 }
 
-/// Makes angles that go once round increase from the first one on.
+/// Makes angles in (-pi, pi] that go once round increase from the first one on.
 inline void unwrap(std::span<double> angles) {
     for (std::size_t k = 1; k < angles.size(); ++k) {
-        double step = std::fmod(angles[k] - angles[k - 1], 2 * M_PI);
-        if (step < 0) step += 2 * M_PI;
+        double step = angles[k] - angles[k - 1];
+        while (step < 0) step += 2 * M_PI;
         angles[k] = angles[k - 1] + step;
     }
 }

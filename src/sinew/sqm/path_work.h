@@ -26,14 +26,19 @@ struct PathWork {
     const Polyhedra& p;
     const Refinement& r;
     const JointPoints& points;
-    const StationOptions& options;
     Stations& out;
 
-    std::int32_t path = 0, sides = 4;
+    std::int32_t path = 0, sides = 0;
     std::span<const std::int32_t> nodes, bones;
     bool closed = false;
+    double edge = 1;  ///< of a ring of radius 1
     JointSide near, far;
     std::vector<Station> rings;
+
+    // Working memory.
+    std::vector<std::uint8_t> kept;
+    std::vector<double> heights, distance, near_angles, far_angles;
+    std::vector<std::pair<double, double>> anchors;
 
     std::int32_t count() const { return static_cast<std::int32_t>(nodes.size()); }
     std::int32_t bone_count() const { return closed ? count() : count() - 1; }

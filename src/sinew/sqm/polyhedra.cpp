@@ -1,11 +1,12 @@
 #include "sinew/sqm/polyhedra.h"
 
-#include <tbb/parallel_for.h>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "sinew/base/large_array.h"
 #include "sinew/base/portable_math.h"
+#include "sinew/sqm/chunks.h"
 
 namespace sinew::sqm {
 namespace {
@@ -73,14 +74,14 @@ void append(const SphericalCells& cells, Polyhedra& out) {
     out.arc_first.push_back(static_cast<std::int32_t>(out.arcs.size()));
 }
 
-Polyhedra empty_polyhedra() {
-    Polyhedra p;
+void clear(Polyhedra& p) {
     p.cell_first = p.vertex_first = p.arc_first = p.side_first = {0};
-    return p;
+    p.sites.clear(), p.vertices.clear(), p.arcs.clear(), p.sides.clear();
 }
 
-Polyhedra polyhedra_of(const Plain& skeleton, const Network& network, std::int32_t begin, std::int32_t end) {
-    Polyhedra out = empty_polyhedra();
+void find_cells(const Plain& skeleton, const Network& network, std::int32_t begin, std::int32_t end,
+                Polyhedra& out) {
+    clear(out);
     SphericalCells cells;
     std::vector<Vec3> directions;
     for (std::int32_t j = begin; j < end; ++j) {
@@ -94,31 +95,37 @@ Polyhedra polyhedra_of(const Plain& skeleton, const Network& network, std::int32
         find_spherical_cells(directions, cells);
         append(cells, out);
     }
-    return out;
 }
 
-template <class T, class Shift>
-void concatenate(std::vector<T>& to, const std::vector<T>& from, std::size_t skip, Shift shift) {
-    for (std::size_t i = skip; i < from.size(); ++i) to.push_back(shift(from[i]));
-}
-
-void concatenate(Polyhedra& to, const Polyhedra& from) {
+/// Appends the cells of many joints.
+void append(const Polyhedra& from, Polyhedra& to) {
     const std::int32_t cell = to.cell_count(), vertex = to.vertex_first.back(), arc = to.arc_first.back();
     const auto side = static_cast<std::int32_t>(to.sides.size());
-    const auto plus = [](std::int32_t offset) { return [offset](std::int32_t i) { return i + offset; }; };
-    const auto same = [](const Vec3& v) { return v; };
-    concatenate(to.cell_first, from.cell_first, 1, plus(cell));
-    concatenate(to.vertex_first, from.vertex_first, 1, plus(vertex));
-    concatenate(to.arc_first, from.arc_first, 1, plus(arc));
-    concatenate(to.sites, from.sites, 0, same);
-    concatenate(to.vertices, from.vertices, 0, same);
-    concatenate(to.arcs, from.arcs, 0, [&](const CellArc& a) {
-        return CellArc{a.from + vertex, a.to + vertex, a.left + cell, a.right + cell};
-    });
-    concatenate(to.side_first, from.side_first, 1, plus(side));
-    concatenate(to.sides, from.sides, 0, [&](const CellSide& s) {
-        return CellSide{s.arc + arc, s.reversed};
-    });
+    const auto append_shifted = [](std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b,
+                                   std::int32_t by) {
+        std::for_each(b.begin() + 1, b.end(), [&](std::int32_t i) { a.push_back(i + by); });
+    };
+    append_shifted(to.cell_first, from.cell_first, cell);
+    append_shifted(to.vertex_first, from.vertex_first, vertex);
+    append_shifted(to.arc_first, from.arc_first, arc);
+    append_shifted(to.side_first, from.side_first, side);
+    to.sites.insert(to.sites.end(), from.sites.begin(), from.sites.end());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    for (const CellArc& a : from.arcs)
+        to.arcs.push_back({a.from + vertex, a.to + vertex, a.left + cell, a.right + cell});
+    for (const CellSide& s : from.sides) to.sides.push_back({s.arc + arc, s.reversed});
+}
+
+/// Room for all joints, if no cells are added.
+void reserve(Polyhedra& p, const Network& n) {
+    const std::size_t joints = n.joint_count(), cells = n.slot_path.size(), over = cells - 2 * joints;
+    for (std::vector<std::int32_t>* array : {&p.cell_first, &p.vertex_first, &p.arc_first})
+        reserve_large(*array, joints + 1);
+    reserve_large(p.sites, cells);
+    reserve_large(p.side_first, cells + 1);
+    reserve_large(p.vertices, 2 * over);
+    reserve_large(p.arcs, 3 * over);
+    reserve_large(p.sides, 6 * over);
 }
 
 }  // namespace
@@ -131,17 +138,18 @@ Vec3 slot_direction(const Plain& skeleton, const Network& network, std::int32_t 
 }
 
 Result<Polyhedra> make_polyhedra(const Plain& skeleton, const Network& network, const Progress& progress) {
-    const std::int32_t joints = network.joint_count(), chunks = (joints + chunk_size - 1) / chunk_size;
-    std::vector<Polyhedra> parts(chunks);
-    tbb::parallel_for(std::int32_t{0}, chunks, [&](std::int32_t chunk) {
-        if (progress.cancelled()) return;
-        const std::int32_t begin = chunk * chunk_size;
-        parts[chunk] = polyhedra_of(skeleton, network, begin, std::min(joints, begin + chunk_size));
-    });
+    Polyhedra all;
+    clear(all);
+    reserve(all, network);
+    for_chunks<Polyhedra>(
+        network.joint_count(), chunk_size,
+        [&](Polyhedra& part, std::int32_t begin, std::int32_t end) {
+            if (!progress.cancelled()) find_cells(skeleton, network, begin, end, part);
+        },
+        [&](const Polyhedra& part) {
+            if (!progress.cancelled()) append(part, all);
+        });
     if (progress.cancelled()) return Progress::stopped();
-    if (chunks == 1) return std::move(parts[0]);
-    Polyhedra all = empty_polyhedra();
-    for (const Polyhedra& part : parts) concatenate(all, part);
     return all;
 }
 

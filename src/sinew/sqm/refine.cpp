@@ -114,8 +114,8 @@ class JointProblem {
             for (std::int32_t j = images_.joint[joint]; j != joint; j = images_.joint[j]) ++turns_;
         fixed_ = images_.any() && turns_ < images_.order;
         problem_.clear();
-        cell_orbit_ = orbits(p_.cell_first, images_.cell, cell_share_);
-        arc_orbit_ = orbits(p_.arc_first, images_.arc, arc_share_);
+        find_orbits(p_.cell_first, images_.cell, cell_orbit_, cell_share_);
+        find_orbits(p_.arc_first, images_.arc, arc_orbit_, arc_share_);
         problem_.cells.resize(cell_share_.size());
         add_arcs();
     }
@@ -155,11 +155,10 @@ class JointProblem {
 
     /// Numbers the orbits of the joint's cells or arcs; `share` says how many symmetries keep a member in
     /// place.
-    std::vector<std::int32_t> orbits(const std::vector<std::int32_t>& first,
-                                     const std::vector<std::int32_t>& image,
-                                     std::vector<std::int32_t>& share) const {
+    void find_orbits(const std::vector<std::int32_t>& first, const std::vector<std::int32_t>& image,
+                     std::vector<std::int32_t>& orbit, std::vector<std::int32_t>& share) const {
         const std::int32_t begin = first[joint_], count = first[joint_ + 1] - begin;
-        std::vector<std::int32_t> orbit(count, -1);
+        orbit.assign(count, -1);
         share.clear();
         for (std::int32_t i = 0; i < count; ++i) {
             if (orbit[i] >= 0) continue;
@@ -172,19 +171,13 @@ class JointProblem {
             } while (at != i + begin);
             share.push_back(fixed_ ? images_.order / turns_ / size : 1);
         }
-        return orbit;
     }
     void add_arcs() {
         const std::int32_t begin = p_.arc_first[joint_], count = p_.arc_first[joint_ + 1] - begin;
         problem_.arcs.assign(arc_share_.size(), {});
-        arc_factor_.assign(arc_share_.size(), 0);
-        std::vector<std::uint8_t> known(arc_share_.size(), 0);
-        for (std::int32_t i = 0; i < count; ++i) {
-            const std::int32_t o = arc_orbit_[i];
-            if (known[o]) continue;
-            known[o] = 1;
-            describe(begin + i, o);
-        }
+        arc_factor_.assign(arc_share_.size(), 0);  // at least 1 once it is described
+        for (std::int32_t i = 0; i < count; ++i)
+            if (const std::int32_t o = arc_orbit_[i]; arc_factor_[o] == 0) describe(begin + i, o);
     }
 
     /// An arc in the mirror (its cells change places) may be split in any way. One across it is split evenly,

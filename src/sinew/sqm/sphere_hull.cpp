@@ -59,7 +59,10 @@ void flat_hull(std::span<const Vec3> points, SphereHull& hull) {
 /// Adds points one by one to a tetrahedron: faces that see the point go, and its horizon is joined to it.
 class Incremental {
   public:
-    Incremental(SphereHull& hull, std::int32_t count) : hull_(hull), count_(count) {}
+    Incremental(SphereHull& hull, std::int32_t count)
+        : hull_(hull), count_(count), faces_(hull.triangles), seen_(hull.seen) {
+        faces_.clear();
+    }
 
     void start(std::array<std::int32_t, 4> t) {
         const auto& g = hull_.grid;
@@ -108,7 +111,7 @@ class Incremental {
 
     SphereHull& hull_;
     std::int32_t count_;
-    std::vector<Triangle> faces_, seen_;
+    std::vector<Triangle>&faces_, &seen_;
 };
 
 void index_edges(SphereHull& hull, std::int32_t count) {

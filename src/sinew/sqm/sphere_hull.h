@@ -2,6 +2,7 @@
 /// Convex hull of points on the unit sphere.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@ struct SphereHull {
     std::vector<std::int32_t>
         face_of;  ///< n * n: the face with the edge i -> j, at i n + j; -1 where there is none
     std::vector<Eigen::Matrix<std::int64_t, 3, 1>> grid;  ///< the points, rounded
+    std::vector<std::array<std::int32_t, 3>> triangles, seen;
 
     std::int32_t face_count() const { return static_cast<std::int32_t>(first.size()) - 1; }
     std::span<const std::int32_t> face(std::int32_t f) const {

@@ -1,6 +1,7 @@
 #include "sinew/sqm/spherical_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -84,7 +85,8 @@ Vec3 face_normal(std::span<const std::int32_t> face, std::span<const Vec3> sites
 }
 
 /// The dual of the hull: a vertex a face, an arc an edge, a cell a point.
-void dualise(const SphereHull& hull, SphericalCells& cells) {
+void dualise(SphericalCells& cells) {
+    const SphereHull& hull = cells.hull;
     const std::int32_t count = cells.cell_count();
     cells.vertices.clear();
     for (std::int32_t f = 0; f < hull.face_count(); ++f)
@@ -93,7 +95,8 @@ void dualise(const SphereHull& hull, SphericalCells& cells) {
     // Arcs are found again through the edge table, which is not needed for faces any more once all arcs are
     // known.
     cells.arcs.clear();
-    std::vector<std::int32_t> arc_of(static_cast<std::size_t>(count) * count, -1);
+    std::vector<std::int32_t>&arc_of = cells.arc_of, &any_face = cells.any_face;
+    arc_of.assign(static_cast<std::size_t>(count) * count, -1);
     for (std::int32_t i = 0; i < count; ++i)
         for (std::int32_t k = i + 1; k < count; ++k) {
             if (hull.face_of[i * count + k] < 0) continue;
@@ -101,7 +104,7 @@ void dualise(const SphereHull& hull, SphericalCells& cells) {
             cells.arcs.push_back({hull.face_of[k * count + i], hull.face_of[i * count + k], i, k});
         }
 
-    std::vector<std::int32_t> any_face(count, -1);
+    any_face.assign(count, -1);
     for (std::int32_t f = 0; f < hull.face_count(); ++f)
         for (const std::int32_t i : hull.face(f)) any_face[i] = f;
     cells.side_first = {0};
@@ -115,6 +118,16 @@ void dualise(const SphereHull& hull, SphericalCells& cells) {
         } while (f != any_face[i]);
         cells.side_first.push_back(static_cast<std::int32_t>(cells.sides.size()));
     }
+}
+
+/// Three cells are lunes between two opposite vertices, wherever the directions are.
+void make_three_lunes(SphericalCells& cells) {
+    const std::array<std::int32_t, 3> face{0, 1, 2};
+    const Vec3 normal = face_normal(face, cells.sites);
+    cells.vertices = {normal, -normal};
+    cells.arcs = {{1, 0, 0, 1}, {0, 1, 0, 2}, {1, 0, 1, 2}};
+    cells.side_first = {0, 2, 4, 6};
+    cells.sides = {{0, false}, {1, false}, {2, false}, {0, true}, {1, true}, {2, true}};
 }
 
 std::vector<int> cells_round_vertices(const SphericalCells& cells) {
@@ -136,7 +149,6 @@ class MergeShortArcs {
         sum_ = cells.vertices;
         meet_ = cells_round_vertices(cells);
     }
-    bool any() const { return !short_arcs().empty(); }
     void run() {
         const std::vector<Short> shortest = short_arcs();
         side_count_.resize(cells_.cell_count());
@@ -263,12 +275,17 @@ bool is_balanced(const SphericalCells& cells) {
     return false;
 }
 
+bool has_short_arc(const SphericalCells& cells, double limit) {
+    return std::any_of(cells.arcs.begin(), cells.arcs.end(), [&](const CellArc& arc) {
+        return (cells.vertices[arc.from] - cells.vertices[arc.to]).norm() < limit;
+    });
+}
+
 /// Merges what is short, or, where that leaves cells that cannot be balanced, what has no length at all, or
 /// nothing.
 void merge_short_arcs(SphericalCells& cells, int most) {
     for (const double limit : {shortest_arc, no_length}) {
-        MergeShortArcs merge(cells, limit, most);
-        if (!merge.any()) return;
+        if (!has_short_arc(cells, limit)) return;
         SphericalCells merged = cells;
         MergeShortArcs(merged, limit, most).run();
         if (!is_balanced(merged)) continue;
@@ -278,6 +295,7 @@ void merge_short_arcs(SphericalCells& cells, int most) {
 }
 
 bool is_crowded(const SphericalCells& cells) {
+    if (cells.cell_count() <= most_sides) return false;
     const std::vector<int> meet = cells_round_vertices(cells);
     return std::any_of(meet.begin(), meet.end(), [](int count) { return count > most_sides; });
 }
@@ -303,17 +321,17 @@ void find_spherical_cells(std::span<const Vec3> directions, SphericalCells& cell
     cells.sites.assign(directions.begin(), directions.end());
     cells.added = 0;
     separate(cells.sites, cells.vertices);
-    SphereHull hull;
+    if (cells.cell_count() == 3) return make_three_lunes(cells);
     for (int round = 0; round < 4; ++round) {
-        find_sphere_hull(cells.sites, hull);
-        dualise(hull, cells);
+        find_sphere_hull(cells.sites, cells.hull);
+        dualise(cells);
         merge_short_arcs(cells, std::numeric_limits<int>::max());
         if (!is_crowded(cells)) return;
         if (!part_crowded_vertices(cells)) break;
     }
-    find_sphere_hull(cells.sites,
-                     hull);  // there is no room for more: rather short arcs than crowded vertices
-    dualise(hull, cells);
+    // There is no room for more: rather short arcs than crowded vertices.
+    find_sphere_hull(cells.sites, cells.hull);
+    dualise(cells);
     merge_short_arcs(cells, most_sides);
 }
 

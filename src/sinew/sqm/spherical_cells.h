@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sinew/base/vec.h"
+#include "sinew/sqm/sphere_hull.h"
 
 namespace sinew::sqm {
 
@@ -38,6 +39,9 @@ struct SphericalCells {
     std::vector<CellArc> arcs;
     std::vector<std::int32_t> side_first;  ///< cell -> first side; cells + 1 entries
     std::vector<CellSide> sides;
+
+    SphereHull hull;
+    std::vector<std::int32_t> arc_of, any_face;  ///< by pair of cells, by cell
 
     std::int32_t cell_count() const { return static_cast<std::int32_t>(sites.size()); }
     std::span<const CellSide> cell(std::int32_t c) const {

@@ -1,9 +1,10 @@
 #include "sinew/sqm/stations.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
+#include "sinew/base/large_array.h"
+#include "sinew/base/portable_math.h"
+#include "sinew/sqm/chunks.h"
 #include "sinew/sqm/path_work.h"
 
 namespace sinew::sqm {
@@ -58,8 +59,8 @@ void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
     }
     if (w.points.body[end.joint] || w.points.kind[slot] != SlotKind::cone) return;
     const ConeFrom& cone = w.points.cone[slot];
-    const double limit = std::min(cone.length - 0.25 * cone.far, w.points.limit[slot]);
-    side.reach = std::max(side.reach, height_in_cell(w, side, cone, limit));
+    side.reach =
+        std::max(side.reach, height_in_cell(w, side, cone, std::min(cone.length, w.points.limit[slot])));
 }
 
 /// @param least_rings  rings that the path must have, so that no two paths share an edge
@@ -68,7 +69,10 @@ void build(PathWork& w, std::int32_t path, std::int32_t least_rings) {
     w.nodes = w.n.nodes(path);
     w.bones = w.n.bones(path);
     w.closed = w.n.path_closed[path];
-    w.sides = w.r.path_sides[path];
+    if (const std::int32_t sides = w.r.path_sides[path]; sides != w.sides) {
+        w.sides = sides;
+        w.edge = 2 * portable::sine_cosine(M_PI / sides).sine;
+    }
     take_joint(w, w.near, w.n.path_end[path][0], false);
     take_joint(w, w.far, w.n.path_end[path][1], true);
     place_rings(w, false);
@@ -101,13 +105,25 @@ std::vector<std::uint8_t> least_rings(const Network& n) {
     return least;
 }
 
-Stations empty_stations() {
-    Stations s;
+void clear(Stations& s) {
+    s.stations.clear(), s.angle.clear(), s.near_uneven.clear(), s.far_uneven.clear();
+    s.far_shift.clear(), s.corner.clear();
     s.first = s.angle_first = {0};
-    return s;
 }
 
-void concatenate(Stations& to, const Stations& from) {
+/// Room for all rings, judged by those of the first part.
+void reserve(Stations& all, const Stations& part, const Network& n, const Refinement& r) {
+    std::size_t columns = 0;
+    for (const std::int32_t sides : r.path_sides) columns += sides;
+    const double paths = n.path_count(), share = static_cast<double>(part.far_shift.size()) / paths;
+    reserve_large(all.stations, static_cast<std::size_t>(1.1 * part.stations.size() / share) + 64);
+    for (std::vector<double>* array : {&all.angle, &all.near_uneven, &all.far_uneven})
+        reserve_large(*array, columns);
+    for (std::vector<std::int32_t>* array : {&all.first, &all.angle_first, &all.far_shift, &all.corner})
+        reserve_large(*array, n.path_count() + 1);
+}
+
+void append_part(Stations& to, const Stations& from) {
     const std::int32_t ring = to.first.back(), angle = to.angle_first.back();
     for (std::size_t i = 1; i < from.first.size(); ++i) {
         to.first.push_back(from.first[i] + ring);
@@ -125,20 +141,21 @@ void concatenate(Stations& to, const Stations& from) {
 }  // namespace
 
 Stations make_stations(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
-                       const Refinement& refinement, const JointPoints& points,
-                       const StationOptions& options) {
+                       const Refinement& refinement, const JointPoints& points) {
     const std::vector<std::uint8_t> least = least_rings(network);
-    const std::int32_t paths = network.path_count(), chunks = (paths + chunk_size - 1) / chunk_size;
-    std::vector<Stations> parts(chunks);
-    tbb::parallel_for(std::int32_t{0}, chunks, [&](std::int32_t chunk) {
-        parts[chunk] = empty_stations();
-        PathWork work{skeleton, network, polyhedra, refinement, points, options, parts[chunk]};
-        for (std::int32_t p = chunk * chunk_size; p < std::min(paths, (chunk + 1) * chunk_size); ++p)
-            build(work, p, least[p]);
-    });
-    if (chunks == 1) return std::move(parts[0]);
-    Stations all = empty_stations();
-    for (const Stations& part : parts) concatenate(all, part);
+    Stations all;
+    clear(all);
+    for_chunks<Stations>(
+        network.path_count(), chunk_size,
+        [&](Stations& part, std::int32_t begin, std::int32_t end) {
+            clear(part);
+            PathWork work{skeleton, network, polyhedra, refinement, points, part};
+            for (std::int32_t p = begin; p < end; ++p) build(work, p, least[p]);
+        },
+        [&](Stations& part) {
+            if (all.far_shift.empty()) reserve(all, part, network, refinement);
+            append_part(all, part);
+        });
     return all;
 }
 
