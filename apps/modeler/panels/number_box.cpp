@@ -2,6 +2,7 @@
 
 #include <QLineEdit>
 #include <QWheelEvent>
+#include <utility>
 
 namespace sinew::modeler {
 
@@ -10,10 +11,20 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setMinimumWidth(52);
     setKeyboardTracking(false);
     setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this](const QString& text) {
+        if (!mixed_ && !typed_over_) return;
+        mixed_ = text.isEmpty();
+        typed_over_ = !mixed_;
+    });
+    // What is typed over nodes that differ is for all of them, even if the box held this number already.
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        if (std::exchange(typed_over_, false)) emit valueChanged(value());
+    });
 }
 
 void NumberBox::show_value(std::optional<double> value, double otherwise) {
     mixed_ = !value;
+    typed_over_ = false;
     // Writing the text anew while one types in it would move the cursor.
     if (value && this->value() == *value && hasFocus()) return;
     setValue(value.value_or(otherwise));

@@ -24,7 +24,8 @@ class NumberBox : public QDoubleSpinBox {
     void wheelEvent(QWheelEvent* event) override;
 
   private:
-    bool mixed_ = false;
+    bool mixed_ = false;       ///< the nodes differ
+    bool typed_over_ = false;  ///< they did until one typed
 };
 
 /// A choice that does not change while one scrolls past it.

@@ -107,11 +107,10 @@ void ActionSet::refresh() {
         QAction* shown = find(action.id);
         shown->setEnabled(!action.enabled || action.enabled(context_));
         if (action.checked) shown->setChecked(action.checked(context_));
-        if (std::string_view(action.id) == "edit.undo" && context_.model.history().canUndo())
-            shown->setText("Undo " + context_.model.history().undoText().toLower());
-        if (std::string_view(action.id) == "edit.redo" && context_.model.history().canRedo())
-            shown->setText("Redo " + context_.model.history().redoText().toLower());
     }
+    const QUndoStack& history = context_.model.history();
+    find("edit.undo")->setText(history.canUndo() ? "Undo " + history.undoText().toLower() : "Undo");
+    find("edit.redo")->setText(history.canRedo() ? "Redo " + history.redoText().toLower() : "Redo");
 }
 
 }  // namespace sinew::modeler
