@@ -107,6 +107,18 @@ Glyphing glyphs_of(const Document& document, double scale) {
     return glyphs;
 }
 
+GlyphBall ball_round(const NodeGlyph& glyph) {
+    const Vec3 lengths = glyph.axes.colwise().norm();
+    switch (glyph.shape) {
+        case GlyphShape::box:
+            return {glyph.centre, lengths.norm()};
+        case GlyphShape::cone:
+            return {glyph.centre - glyph.axes.col(2), lengths.norm()};
+        default:
+            return {glyph.centre, lengths.maxCoeff()};
+    }
+}
+
 std::optional<double> meet(const Ray& ray, const NodeGlyph& glyph) {
     const Mat3 to_unit = glyph.axes.inverse();
     const Vec3 o = to_unit * (ray.origin - glyph.centre), d = to_unit * ray.direction;

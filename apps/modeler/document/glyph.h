@@ -19,6 +19,13 @@ struct NodeGlyph {
     Vec3 centre = Vec3::Zero();
 };
 
+/// A ball that holds a shape, and not much more.
+struct GlyphBall {
+    Vec3 centre;
+    double radius;
+};
+GlyphBall ball_round(const NodeGlyph& glyph);
+
 /// A bone, drawn as a thin round cone.
 struct Stick {
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();

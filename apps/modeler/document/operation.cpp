@@ -1,11 +1,11 @@
 #include "document/operation.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sinew/skeleton/edit.h"
 #include "sinew/skeleton/graph.h"
 #include "sinew/skeleton/symmetry.h"
+#include "tools/snap.h"
 
 namespace sinew::modeler {
 namespace {
@@ -28,14 +28,6 @@ double mean_radius(const Document& document, const std::vector<std::int32_t>& no
     double sum = 0;
     for (std::int32_t i : nodes) sum += document.nodes[i].radius;
     return nodes.empty() ? 1 : sum / static_cast<double>(nodes.size());
-}
-
-/// 1, 2 or 5 times a power of ten, at most `length`.
-double round_below(double length) {
-    const double power = std::pow(10, std::floor(std::log10(length)));
-    for (double factor : {5.0, 2.0})
-        if (factor * power <= length) return factor * power;
-    return power;
 }
 
 Parameter axis(int start) { return {"Axis", "", Kind::choice, double(start), 0, 2, {"X", "Y", "Z"}}; }
@@ -114,7 +106,7 @@ Operation copying_round(Document document) {
 }
 
 Operation snapping_to_grid(Document document, const Selection& selection) {
-    const double start = round_below(mean_radius(document, selection.nodes));
+    const double start = round_above(mean_radius(document, selection.nodes) / 2);
     return {"Snap to grid",
             {{"Step", "Distance of the grid's lines", Kind::length, start, 1e-6, longest}},
             [document = std::move(document), nodes = selection.nodes](Values v) -> Result<Document> {

@@ -54,4 +54,12 @@ void NumberBox::wheelEvent(QWheelEvent* event) {
 
 void ChoiceBox::wheelEvent(QWheelEvent* event) { event->ignore(); }
 
+QLabel* form_label(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setProperty("dim", true);
+    label->setMinimumHeight(27);  // of a field
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return label;
+}
+
 }  // namespace sinew::modeler

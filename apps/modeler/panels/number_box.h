@@ -4,6 +4,8 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
+#include <optional>
 
 namespace sinew::modeler {
 
@@ -36,5 +38,8 @@ class ChoiceBox : public QComboBox {
   protected:
     void wheelEvent(QWheelEvent* event) override;
 };
+
+/// The label of a row in a form: level with the field, in the colour of secondary text.
+QLabel* form_label(const QString& text);
 
 }  // namespace sinew::modeler

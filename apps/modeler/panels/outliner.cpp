@@ -20,7 +20,7 @@ Outliner::Outliner(Model& model, QWidget* parent) : QTreeView(parent), model_(mo
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     setDragDropMode(QAbstractItemView::InternalMove);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    header()->setStretchLastSection(false);
+    header()->setStretchLastSection(true);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     connect(&items_, &QAbstractItemModel::modelReset, this, [this] {
         if (model_.document().nodes.size() <= most_expanded) expandAll();

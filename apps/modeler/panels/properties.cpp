@@ -30,7 +30,7 @@ QLabel* row_label(const Field& field, bool first) {
     const qsizetype axis = part.size() == 1 ? QString("XYZ").indexOf(part) : -1;
     const QString shown =
         axis < 0 ? part : QString("<b style='color:%1'>%2</b>").arg(theme::axis[axis].name(), part);
-    auto* label = new QLabel(first ? QString(field.group) + "&nbsp; " + shown : shown);
+    QLabel* label = form_label(first ? QString(field.group) + "&nbsp; " + shown : shown);
     label->setTextFormat(Qt::RichText);
     label->setToolTip(field.tip);
     return label;
@@ -62,7 +62,7 @@ void Properties::add_head(QFormLayout& form) {
     name_ = new QLineEdit;
     name_->setObjectName("name");
     name_->setPlaceholderText("no name");
-    form.addRow("Name", name_);
+    form.addRow(form_label("Name"), name_);
     connect(name_, &QLineEdit::editingFinished, this, [this] {
         if (busy_ || model_.selection().nodes.size() != 1) return;
         model_.apply("Rename", rename(model_.document(), model_.selection().active,
@@ -71,7 +71,7 @@ void Properties::add_head(QFormLayout& form) {
     type_ = new ChoiceBox;
     type_->setObjectName("type");
     for (int i = 0; i < 6; ++i) type_->addItem(icon(type_icons[i]), type_labels[i]);
-    form.addRow("Type", type_);
+    form.addRow(form_label("Type"), type_);
     connect(type_, &QComboBox::activated, this, [this](int i) {
         model_.apply("Type", set_type(model_.document(), model_.selection().nodes, static_cast<NodeType>(i)));
         refresh();
@@ -79,7 +79,7 @@ void Properties::add_head(QFormLayout& form) {
     section_ = new ChoiceBox;
     section_->setObjectName("section");
     section_->addItems({"Round", "Rectangular"});
-    form.addRow("Sides", section_);
+    form.addRow(form_label("Sides"), section_);
     connect(section_, &QComboBox::activated, this, [this](int i) {
         model_.apply("Section", set(model_.document(), model_.selection().nodes, &Node::section,
                                     static_cast<Section>(i)));

@@ -11,16 +11,19 @@ namespace {
 
 const double node_reach = 14;     ///< pixels
 const double symmetry_reach = 9;  ///< pixels
-const double smallest_cell = 12;  ///< pixels
+const double smallest_cell = 14;  ///< pixels
 
 }  // namespace
 
-double grid_step(const Screen& screen, const Vec3& at) {
-    const double wanted = smallest_cell * screen.pixel_length(at);
-    const double power = std::pow(10, std::floor(std::log10(wanted)));
+double round_above(double length) {
+    const double power = std::pow(10, std::floor(std::log10(length)));
     for (double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= wanted) return factor * power;
+        if (factor * power >= length) return factor * power;
     return 10 * power;
+}
+
+double grid_step(const Screen& screen, const Vec3& at) {
+    return round_above(smallest_cell * screen.pixel_length(at));
 }
 
 std::optional<Vec3> node_near(const Document& document, std::span<const std::int32_t> moving,

@@ -19,6 +19,9 @@ struct Snapped {
     bool caught = false;  ///< something caught it: show it
 };
 
+/// 1, 2 or 5 times a power of ten, at least `length`.
+double round_above(double length);
+
 /// Distance of the lines of the finest grid that can still be told apart at a point: 1, 2 or 5 times a power
 /// of ten.
 double grid_step(const Screen& screen, const Vec3& at);

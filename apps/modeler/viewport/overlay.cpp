@@ -9,6 +9,8 @@
 namespace sinew::modeler {
 namespace {
 
+const std::size_t most_rings = 3000;  ///< more take too long to paint
+
 QPointF to_qt(const Vec2& v) { return {v.x(), v.y()}; }
 
 void paint_arrow(QPainter& painter, const Vec2& from, const Vec2& to, const QColor& colour, double width) {
@@ -32,24 +34,31 @@ void paint_label(QPainter& painter, const QRectF& box, const QString& text, cons
 
 }  // namespace
 
-void Overlay::outlines(const Model& model, const Hit& hovered) const {
+void Overlay::outlines(const Model& model, const Glyphing& glyphs, const Hit& hovered) const {
     const Document& document = model.document();
     const std::vector<Mat3> images = images_of(document.symmetry);
-    auto circle = [&](std::int32_t node, std::int32_t image, const QColor& colour, double width) {
-        const Vec3 centre = images[image] * document.nodes[node].position;
+    painter.setBrush(Qt::NoBrush);
+    auto circle = [&](const Vec3& centre, double radius, double wider, const QPen& pen) {
         const std::optional<Vec2> middle = screen.project(centre);
         if (!middle) return;
-        const double radius = document.nodes[node].radius / screen.pixel_length(centre);
-        painter.setPen(QPen(colour, width));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(to_qt(*middle), radius, radius);
+        const double pixels = radius / screen.pixel_length(centre) + wider;
+        painter.setPen(pen);
+        painter.drawEllipse(to_qt(*middle), pixels, pixels);
     };
-    if (hovered.kind == Hit::Kind::node)
-        circle(hovered.index, hovered.image, QColor(255, 255, 255, 150), 1.2);
-    if (model.selection().nodes.size() > 40) return;
-    for (std::int32_t node : model.selection().nodes)
-        circle(node, 0, node == model.selection().active ? theme::active : theme::selected,
-               node == model.selection().active ? 1.8 : 1.2);
+    auto extent = [&](std::int32_t node, std::int32_t image, const QColor& colour) {
+        circle(images[image] * document.nodes[node].position, document.nodes[node].radius, 0,
+               QPen(colour, 1));
+    };
+    const Selection& selection = model.selection();
+    if (selection.nodes.size() <= most_rings)
+        for (std::int32_t node : selection.nodes) {
+            const GlyphBall ball = ball_round(glyphs.nodes[node]);
+            const bool active = node == selection.active;
+            circle(ball.centre, ball.radius, 3,
+                   QPen(active ? theme::active : theme::selected, active ? 2.2 : 1.6));
+        }
+    if (hovered.kind == Hit::Kind::node) extent(hovered.index, hovered.image, QColor(255, 255, 255, 150));
+    if (selection.active >= 0) extent(selection.active, 0, QColor(255, 240, 176, 110));
 }
 
 void Overlay::names(const Model& model) const {

@@ -22,7 +22,8 @@ struct Overlay {
     QPainter& painter;
     const Screen& screen;
 
-    void outlines(const Model& model, const Hit& hovered) const;  ///< circles as large as nodes will be
+    /// Rings round what is selected; circles as large as the tube will be at the active and the hovered node.
+    void outlines(const Model& model, const Glyphing& glyphs, const Hit& hovered) const;
     void names(const Model& model) const;
     void gizmo(const Vec3& at, const std::optional<AxisLock>& hovered) const;
     void guides(const Guides& guides) const;

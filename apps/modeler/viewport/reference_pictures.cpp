@@ -2,7 +2,8 @@
 
 #include <QImageReader>
 #include <QPainter>
-#include <cmath>
+
+#include "viewport/view_grid.h"
 
 namespace sinew::modeler {
 
@@ -18,9 +19,9 @@ bool ReferencePicture::load(const QString& path) {
 
 void paint_reference(QPainter& painter, const ReferencePictures& pictures, const Camera& camera,
                      const Screen& screen) {
+    const int axis = axis_seen_along(camera);
+    if (axis < 0) return;
     const Mat3 axes = axes_of(camera);
-    int axis = 0;
-    if (axes.col(2).cwiseAbs().maxCoeff(&axis) < 1 - 1e-6) return;
     const ReferencePicture& picture = pictures[axis];
     if (picture.image.isNull()) return;
     const std::optional<Vec2> middle = screen.project(Vec3::Zero());

@@ -1,10 +1,10 @@
 #include "viewport/scene_glyphs.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "document/images.h"
 #include "sinew/skeleton/graph.h"
+#include "tools/snap.h"
 
 namespace sinew::modeler {
 namespace {
@@ -21,6 +21,8 @@ Colour with_alpha(Colour colour, int alpha) {
 
 Vec3f to_float(const Vec3& v) { return v.cast<float>(); }
 
+const double selected_share = 0.22;
+
 /// The colour of a node in the state it is in.
 struct Painter {
     const Selection& selection;
@@ -28,14 +30,17 @@ struct Painter {
     GlyphColours colours;
 
     Colour node(const Node& node, std::int32_t i, std::int32_t image) const {
+        // The type can still be told: what is selected has a ring besides (see overlay.h).
         Colour colour = colour_of(node, colours);
-        if (selection.contains(i)) colour = i == selection.active ? colours.active : colours.selected;
+        if (selection.contains(i)) colour = mixed(colour, colours.selected, selected_share);
         const bool under = hovered.kind == Hit::Kind::node && hovered.index == i && hovered.image == image;
         return under ? mixed(colour, colours.hovered, 0.45) : colour;
     }
-    Colour bone(std::int32_t i, std::int32_t image) const {
+    Colour bone(const Bone& bone, std::int32_t i, std::int32_t image) const {
+        const bool chosen = selection.contains(bone[0]) && selection.contains(bone[1]);
+        const Colour colour = chosen ? mixed(colours.bone, colours.selected, 0.8) : colours.bone;
         const bool under = hovered.kind == Hit::Kind::bone && hovered.index == i && hovered.image == image;
-        return under ? mixed(colours.bone, colours.hovered, 0.7) : colours.bone;
+        return under ? mixed(colour, colours.hovered, 0.7) : colour;
     }
 };
 
@@ -52,6 +57,7 @@ Glyphs scene_glyphs(const Document& document, const Glyphing& glyphs, const Sele
     Glyphs scene;
     const Painter painter{selection, hovered, {}};
     const std::vector<Mat3> images = images_of(document.symmetry);
+    const std::vector<Bone> bones = bones_of(document);
     for (std::int32_t k = 0; k < std::ssize(images); ++k) {
         const int shown = k == 0 ? alpha : alpha * painter.colours.ghost_alpha / 255;
         for (std::int32_t i = 0; i < std::ssize(glyphs.nodes); ++i) {
@@ -69,7 +75,7 @@ Glyphs scene_glyphs(const Document& document, const Glyphing& glyphs, const Sele
                                    .from_radius = static_cast<float>(stick.from_radius),
                                    .to = to_float(images[k] * stick.to),
                                    .to_radius = static_cast<float>(stick.to_radius),
-                                   .colour = with_alpha(painter.bone(i, k), shown)});
+                                   .colour = with_alpha(painter.bone(bones[i], i, k), shown)});
         }
     }
     return scene;
@@ -88,11 +94,10 @@ std::optional<PlaneMark> mirror_plane(const Document& document, float reach) {
 
 PlaneMark ground_plane(float reach) {
     PlaneMark plane;
-    const float cell = std::pow(10.f, std::floor(std::log10(reach)) - 0.f) / 2;
     plane.u = 6 * reach * Vec3f::UnitX();
     plane.v = 6 * reach * Vec3f::UnitY();
-    plane.cell = cell;
-    plane.line = {120, 128, 140, 70};
+    plane.cell = static_cast<float>(round_above(reach / 4));
+    plane.line = {132, 140, 154, 84};
     plane.fade = true;
     return plane;
 }

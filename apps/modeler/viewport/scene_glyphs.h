@@ -16,8 +16,7 @@ struct GlyphColours {
     Colour special{232, 165, 74};  ///< cone, hemisphere, cube, ball
     Colour negative{178, 104, 206};
     Colour bone{168, 176, 190};
-    Colour selected{255, 214, 92};
-    Colour active{255, 240, 176};
+    Colour selected{255, 224, 120};  ///< mixed in
     Colour hovered{255, 255, 255};
     std::uint8_t ghost_alpha = 95;  ///< of what stands for an image
 };

@@ -10,6 +10,7 @@
 #include "viewport/navigation.h"
 #include "viewport/overlay.h"
 #include "viewport/scene_view.h"
+#include "viewport/view_grid.h"
 #include "window/theme.h"
 
 namespace sinew::modeler {
@@ -99,6 +100,7 @@ void Viewport::paintGL() {
     sky.setColorAt(1, theme::viewport_bottom);
     painter.fillRect(rect(), sky);
     paint_reference(painter, references_, camera_, screen());
+    if (view_.grid) paint_view_grid(painter, camera_, screen());
     if (scene_) {
         painter.beginNativePainting();
         if (mesh_changed_) scene_->set_mesh(mesh_);
@@ -115,7 +117,7 @@ void Viewport::paint_overlay(QPainter& painter) {
     const Screen here = screen();
     const Overlay overlay{painter, here};
     painter.setRenderHint(QPainter::Antialiasing);
-    if (view_.bones) overlay.outlines(model_, tools_.hovered());
+    if (view_.bones) overlay.outlines(model_, tools_.glyphs(), tools_.hovered());
     if (view_.names) overlay.names(model_);
     if (const auto gizmo = tools_.gizmo_place()) overlay.gizmo(*gizmo, tools_.hovered_handle());
     overlay.guides(tools_.guides());

@@ -84,8 +84,8 @@ void ActionSet::fill(QMenuBar& bar) {
 }
 
 void ActionSet::fill(QToolBar& bar) {
-    // Tools first, then what one does less often.
-    for (Menu part : {Menu::skeleton, Menu::edit, Menu::view, Menu::file}) {
+    // Tools first, then what one does less often; what belongs to the view has a bar of its own.
+    for (Menu part : {Menu::skeleton, Menu::edit, Menu::file}) {
         if (!bar.actions().isEmpty()) bar.addSeparator();
         for (const Action& action : actions())
             if (action.menu == part && action.in_toolbar) bar.addAction(find(action.id));

@@ -63,9 +63,7 @@ void AdjustPanel::make_fields() {
     title_->setText(QString::fromStdString(operation_.label));
     while (form_->rowCount() > 0) form_->removeRow(0);
     for (std::size_t i = 0; i < operation_.parameters.size(); ++i) {
-        auto* label = new QLabel(QString::fromStdString(operation_.parameters[i].name));
-        label->setObjectName("dim");
-        form_->addRow(label, make_field(i));
+        form_->addRow(form_label(QString::fromStdString(operation_.parameters[i].name)), make_field(i));
     }
 }
 

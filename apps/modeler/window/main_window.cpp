@@ -7,7 +7,6 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
-#include <QSlider>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QToolBar>
@@ -25,6 +24,7 @@
 #include "window/icons.h"
 #include "window/settings.h"
 #include "window/theme.h"
+#include "window/view_bar.h"
 #include "window/window_host.h"
 
 namespace sinew::modeler {
@@ -104,6 +104,7 @@ void MainWindow::make_bars() {
     bar->setMovable(false);
     bar->setIconSize(QSize(22, 22));
     action_set_->fill(*bar);
+    view_bar_ = std::make_unique<ViewBar>(*bar, *action_set_, view_, [this] { refresh(); });
     recent_ = new QMenu("Open recent", this);
     QMenu* file = action_set_->menu(Menu::file);
     file->insertMenu(action_set_->find("file.save"), recent_);
@@ -175,9 +176,10 @@ void MainWindow::show_mesh(const std::shared_ptr<const LiveMesh>& mesh) {
 }
 
 void MainWindow::refresh() {
-    if (!meshes_) return;
+    if (!meshes_ || !view_bar_) return;
     meshes_->refresh();
     action_set_->refresh();
+    view_bar_->refresh();
     viewport_->update();
     hint_->setText(QString::fromStdString(tools_.active() ? tools_.hint() : describe_tool(tools_)));
     const std::size_t count = model_.selection().nodes.size();

@@ -22,6 +22,7 @@ class CommandPalette;
 class Outliner;
 class Problems;
 class Statistics;
+class ViewBar;
 class Viewport;
 class WindowHost;
 
@@ -70,6 +71,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<Context> context_;
     std::unique_ptr<ActionSet> action_set_;
     std::unique_ptr<MeshKeeper> meshes_;
+    std::unique_ptr<ViewBar> view_bar_;
     CommandPalette* palette_ = nullptr;
     Outliner* outliner_ = nullptr;
     Statistics* statistics_ = nullptr;

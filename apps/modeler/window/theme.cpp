@@ -56,15 +56,19 @@ QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px; }
 QToolButton:hover { background: #3a3f49; }
 QToolButton:pressed { background: #1f2228; }
 QToolButton:checked { background: #2f4f78; border-color: #4f8fdc; }
-QDockWidget { font-weight: 600; }
-QDockWidget::title { background: #2b2e35; padding: 6px 8px; border-top: 1px solid #1b1d22; }
+QDockWidget { font-weight: 600; titlebar-close-icon: url(:/icons/dock.close.svg); titlebar-normal-icon: url(:/icons/dock.float.svg); }
+QDockWidget::title { background: #2b2e35; padding: 7px 10px; border-top: 1px solid #1b1d22; }
+QDockWidget::close-button, QDockWidget::float-button { background: transparent; border: none; border-radius: 3px; padding: 1px; icon-size: 14px; }
+QDockWidget::close-button:hover, QDockWidget::float-button:hover { background: #434955; }
 QTabBar::tab { background: #23262c; color: #98a0ad; padding: 6px 12px; border: none; border-top: 2px solid transparent; }
 QTabBar::tab:selected { background: #2b2e35; color: #e4e7ec; border-top-color: #4f8fdc; }
 QTabBar::tab:hover { color: #e4e7ec; }
-QTreeView, QListView, QTableView { background: #1f2227; border: none; outline: 0; }
+QTreeView, QListView, QTableView { background: #1f2227; border: none; outline: 0; show-decoration-selected: 1; }
 QTreeView::item, QListView::item { padding: 3px 2px; border: none; }
 QTreeView::item:hover, QListView::item:hover { background: #2c3038; }
 QTreeView::item:selected, QListView::item:selected { background: #34557f; color: white; }
+QTreeView::branch:selected { background: #34557f; }
+QTreeView::branch:hover:!selected { background: #2c3038; }
 QTreeView::branch:has-children:closed { image: url(:/icons/arrow.right.svg); }
 QTreeView::branch:has-children:open { image: url(:/icons/arrow.down.svg); }
 QHeaderView::section { background: #23262c; color: #98a0ad; border: none; padding: 4px 6px; }
@@ -100,6 +104,9 @@ QStatusBar QLabel { padding: 1px 8px; }
 QSlider::groove:horizontal { height: 4px; background: #1b1d22; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: #4f8fdc; border-radius: 2px; }
 QSlider::handle:horizontal { background: #cfd5de; width: 12px; margin: -4px 0; border-radius: 6px; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+QLabel[dim="true"] { color: #98a0ad; }
+QFrame#adjust_panel { background: rgba(24, 26, 31, 235); border: 1px solid #3b404a; border-radius: 8px; }
 QCheckBox::indicator { width: 15px; height: 15px; border: 1px solid #4a505c; border-radius: 3px; background: #1b1d22; }
 QCheckBox::indicator:checked { background: #3d6fae; border-color: #4f8fdc; image: url(:/icons/tick.svg); }
 )";

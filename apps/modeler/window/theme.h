@@ -21,6 +21,7 @@ inline const QColor fine{0x62, 0xc9, 0x88};
 
 inline const QColor viewport_top{0x3c, 0x41, 0x4b};
 inline const QColor viewport_bottom{0x24, 0x27, 0x2d};
+inline const QColor grid{200, 208, 222};
 inline const QColor glass{20, 22, 26, 190};  ///< behind text over the scene
 inline const QColor active{255, 240, 176};
 inline const QColor selected{255, 214, 92};
