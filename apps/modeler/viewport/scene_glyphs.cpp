@@ -87,8 +87,8 @@ std::optional<PlaneMark> mirror_plane(const Document& document, float reach) {
     PlaneMark plane;
     plane.u = reach * Vec3f::Unit((axis + 1) % 3);
     plane.v = reach * Vec3f::Unit((axis + 2) % 3);
-    plane.tint = {72, 196, 120, 26};
-    plane.line = {96, 214, 140, 120};
+    plane.tint = {72, 196, 120, 16};
+    plane.line = {96, 214, 140, 100};
     return plane;
 }
 

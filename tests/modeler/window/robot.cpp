@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDir>
+#include <QScreen>
 #include <QTest>
 #include <QTimer>
 #include <cstdlib>
@@ -13,6 +14,10 @@
 
 namespace sinew::modeler {
 namespace {
+
+QString path_of(const std::string& name) {
+    return QString(SCREENSHOT_FOLDER) + "/" + QString::fromStdString(name) + ".png";
+}
 
 constexpr int patience = 30000;  ///< milliseconds: a loaded machine of two cores
 
@@ -100,13 +105,21 @@ void Robot::when_dialog(const QString& name, std::function<void(QDialog&)> then)
 }
 
 void Robot::screenshot(const std::string& name) {
+    // What the screen shows: a grab of Qt's leaves out what is painted over the scene.
+    bool drawn = false;
+    const auto connection =
+        QObject::connect(&window_->viewport(), &QOpenGLWidget::frameSwapped, [&drawn] { drawn = true; });
+    window_->viewport().update();
+    wait([&drawn] { return drawn; });
+    QObject::disconnect(connection);
     QApplication::processEvents();
-    screenshot(*window_, name);
+    QDir().mkpath(SCREENSHOT_FOLDER);
+    window_->screen()->grabWindow(window_->winId()).save(path_of(name));
 }
 
 void Robot::screenshot(QWidget& widget, const std::string& name) {
     QDir().mkpath(SCREENSHOT_FOLDER);
-    widget.grab().save(QString(SCREENSHOT_FOLDER) + "/" + QString::fromStdString(name) + ".png");
+    widget.grab().save(path_of(name));
 }
 
 TemporaryFolder::TemporaryFolder() {
