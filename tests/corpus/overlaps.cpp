@@ -87,7 +87,7 @@ class Cones {
     BoxTree tree_;
 };
 
-/// Where the edges of one face go through the other: nothing where they only touch.
+/// Where the edges of one face go through the other: nothing where both lie in one plane.
 void add_crossings(const QuadMesh& mesh, const Triangles& triangles, std::uint32_t face, std::uint32_t other,
                    std::vector<Vec3>& out) {
     const auto at = [&](std::uint32_t v) -> Vec3 { return mesh.positions[v].cast<double>(); };
@@ -99,10 +99,10 @@ void add_crossings(const QuadMesh& mesh, const Triangles& triangles, std::uint32
                     return x.cross(y).dot(z);
                 };
                 const double dp = volume(b - a, c - a, p - a), dq = volume(b - a, c - a, q - a);
-                if (dp * dq >= 0) continue;
+                if (dp * dq > 0 || dp == dq) continue;
                 const Vec3 x = p + dp / (dp - dq) * (q - p), n = (b - a).cross(c - a);
                 const auto left = [&](const Vec3& from, const Vec3& to) {
-                    return (to - from).cross(x - from).dot(n) >= 0;
+                    return (to - from).cross(x - from).dot(n) >= -1e-9 * n.squaredNorm();
                 };
                 if (left(a, b) && left(b, c) && left(c, a)) out.push_back(x);
             }
