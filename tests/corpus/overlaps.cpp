@@ -3,9 +3,9 @@
 ///
 /// usage: sinew_overlaps SKELETON ...      a JSON object a line
 ///
-/// A pair is excused where two of the (conditioned) skeleton's round cones hold the place where the faces
-/// cross, and overlap there beside their common node: they have none, or the place is outside its ball.
-/// What is left, "elsewhere", is the mesher's own.
+/// A pair is excused where two of the (conditioned) skeleton's round cones hold a place where the faces
+/// cross, or a corner of theirs, and overlap there beside their common node: they have none, or the place is
+/// outside its ball. What is left, "elsewhere", is the mesher's own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -108,6 +108,18 @@ void add_crossings(const QuadMesh& mesh, const Triangles& triangles, std::uint32
             }
 }
 
+/// Edges so short that single precision, this far from the origin, bends them at will.
+bool is_rounded(const QuadMesh& mesh, std::uint32_t face) {
+    const auto vertices = mesh.face(face);
+    float shortest = std::numeric_limits<float>::max(), farthest = 0;
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+        const Vec3f& p = mesh.positions[vertices[k]];
+        shortest = std::min(shortest, (p - mesh.positions[vertices[(k + 1) % vertices.size()]]).norm());
+        farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+    }
+    return shortest < 64 * std::numeric_limits<float>::epsilon() * farthest;
+}
+
 std::string look_at(const std::string& file) {
     const auto read = read_skeleton(file);
     if (!read) return fmt::format(R"({{"file": "{}", "error": true}})", file);
@@ -117,17 +129,23 @@ std::string look_at(const std::string& file) {
     const Cones cones(graph);
     const Triangles triangles = triangulate(skin->mesh);
     const auto pairs = find_self_intersections(skin->mesh).value();
-    std::set<std::uint32_t> faces, elsewhere;
+    std::set<std::uint32_t> faces, rounded, elsewhere;
     std::size_t unexcused = 0;
     std::string places;
     for (const FacePair& pair : pairs) {
         std::vector<Vec3> at;
         add_crossings(skin->mesh, triangles, pair[0], pair[1], at);
         add_crossings(skin->mesh, triangles, pair[1], pair[0], at);
-        if (at.empty()) at.push_back(skin->mesh.positions[skin->mesh.face(pair[0])[0]].cast<double>());
+        for (const std::uint32_t face : pair)
+            for (const std::uint32_t v : skin->mesh.face(face))
+                at.push_back(skin->mesh.positions[v].cast<double>());
         faces.insert(pair.begin(), pair.end());
         if (std::any_of(at.begin(), at.end(), [&](const Vec3& p) { return cones.overlap_beside_a_node(p); }))
             continue;
+        if (is_rounded(skin->mesh, pair[0]) || is_rounded(skin->mesh, pair[1])) {
+            rounded.insert(pair.begin(), pair.end());
+            continue;
+        }
         ++unexcused;
         elsewhere.insert(pair.begin(), pair.end());
         if (unexcused <= 8)
@@ -135,8 +153,9 @@ std::string look_at(const std::string& file) {
                                   pair[1], at[0].x(), at[0].y(), at[0].z());
     }
     return fmt::format(
-        R"({{"file": "{}", "faces": {}, "pairs": {}, "crossing_faces": {}, "pairs_elsewhere": {}, "faces_elsewhere": {}, "places": [{}]}})",
-        file, skin->mesh.face_count(), pairs.size(), faces.size(), unexcused, elsewhere.size(), places);
+        R"({{"file": "{}", "faces": {}, "pairs": {}, "crossing_faces": {}, "rounded_faces": {}, "pairs_elsewhere": {}, "faces_elsewhere": {}, "places": [{}]}})",
+        file, skin->mesh.face_count(), pairs.size(), faces.size(), rounded.size(), unexcused,
+        elsewhere.size(), places);
 }
 
 }  // namespace

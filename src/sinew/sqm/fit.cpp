@@ -3,14 +3,18 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "sinew/mesh/limit.h"
+#include "sinew/sqm/round_end.h"
 
 namespace sinew::sqm {
 namespace {
 
 constexpr int steps = 16;
 
-/// How a vertex may move: along a line, or in the plane at right angles to one.
+/// How a vertex may move: along a line, or in the plane at right angles to one; along none it stays.
 struct Freedom {
     Vec3f axis = Vec3f::Zero();
     bool in_plane = false;
@@ -55,7 +59,7 @@ class Fitter {
     void path(std::int32_t p) {
         const Stations& s = d_.stations;
         const std::int32_t sides = d_.refinement.path_sides[p];
-        const double wider = ring_fit_radius(sides);
+        const double wider = ring_fit_radius(sides), held = wider / ring_limit_radius(sides);
         for (std::int32_t i = s.first[p]; i < s.first[p + 1]; ++i) {
             const Station& ring = s.stations[i];
             const std::uint32_t first = b_.path_vertex[p] + (i - s.first[p]) * sides;
@@ -67,6 +71,10 @@ class Fitter {
                     const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
                     from(first + k, d_.skeleton.position[n_.joint_node[end.joint]]);
                     continue;
+                }
+                if (ring.fit != RingFit::through) {
+                    if (ring.fit == RingFit::held) target = ring.centre + held * (target - ring.centre);
+                    continue;  // as it stands, or with its round end
                 }
                 freedom_[first + k] = {ring.tangent.cast<float>(), ring.shape != RingShape::pit};
                 // A smooth ring through the points of a circle runs inside it between them: half of that is
@@ -88,6 +96,107 @@ class Fitter {
             if (pole == no_vertex) continue;
             const std::int32_t other = end == 0 ? nodes[1] : nodes[nodes.size() - 2];
             from(pole, d_.skeleton.position[other]);
+        }
+        round_ends(p, held);
+    }
+
+    /// The ring that is i-th from an end of a path.
+    const Station& ring_from(std::int32_t p, int side, std::int32_t i) const {
+        const Stations& s = d_.stations;
+        return s.stations[side == 0 ? s.first[p] + i : s.first[p + 1] - 1 - i];
+    }
+    std::int32_t ring_count(std::int32_t p) const { return d_.stations.first[p + 1] - d_.stations.first[p]; }
+
+    /// A round end of a path: where it stands, and its profile as placed and as fitted.
+    struct RoundEnd {
+        Vec3 centre, outward;
+        double radius = 1, width = 1;  // the radius, and the half extent that stands for it in a ring
+        double sine = 0;               // of the cone's slope, see fit_round_end
+        std::vector<ProfileRow> placed, fitted;  // the pole first; empty if the end is not round
+        std::int32_t rings() const { return static_cast<std::int32_t>(placed.size()) - 1; }
+    };
+    RoundEnd find_round_end(std::int32_t p, int side) const {
+        RoundEnd end;
+        const Plain& s = d_.skeleton;
+        const auto nodes = n_.nodes(p);
+        const std::int32_t leaf = side == 0 ? nodes.front() : nodes.back();
+        if (b_.path_pole[p][side] == no_vertex || s.cap[leaf] != Cap::round) return end;
+        std::int32_t rings = 0;
+        while (rings < ring_count(p) && ring_from(p, side, rings).fit == RingFit::cap &&
+               ring_from(p, side, rings).node == leaf)
+            ++rings;
+        if (rings == 0) return end;
+        const std::int32_t other = side == 0 ? nodes[1] : nodes[nodes.size() - 2];
+        const Vec3 along = s.position[leaf] - s.position[other];
+        end.centre = s.position[leaf];
+        end.outward = along.normalized();
+        const auto width = [&](std::int32_t node) {
+            return s.form(node) ? s.form(node)->half.x() : s.radius[node];
+        };
+        end.radius = s.radius[leaf];
+        end.width = width(leaf);
+        const double narrowing = (width(other) / end.width - 1) * end.radius / along.norm();
+        if (along.norm() > 0) end.sine = std::clamp(narrowing, -0.9, 0.9);
+        end.placed.push_back({1, 0});
+        for (std::int32_t i = 0; i < rings; ++i)
+            end.placed.push_back(row_of(end, ring_from(p, side, i).centre, ring_from(p, side, i).half.x()));
+        end.fitted = end.placed;
+        return end;
+    }
+    static ProfileRow row_of(const RoundEnd& end, const Vec3& centre, double half) {
+        return {(centre - end.centre).dot(end.outward) / end.radius, half / end.width};
+    }
+
+    /// The first two rings below a round end; some of them may be those of the other end, and where there is
+    /// none the cone goes on.
+    void fit_end(std::int32_t p, int side, RoundEnd& end, const RoundEnd& other) const {
+        const std::int32_t rings = end.rings(), count = ring_count(p);
+        if (rings < 1 || rings > static_cast<std::int32_t>(most_round_rings)) return;
+        ProfileRow below[2];
+        for (std::int32_t i = 0; i < 2; ++i) {
+            const ProfileRow& above = i == 0 ? end.placed[rings] : below[0];
+            below[i] = {above.height - std::sqrt(1 - end.sine * end.sine), above.radius + end.sine};
+            if (rings + i >= count) continue;
+            const Station& ring = ring_from(p, side, rings + i);
+            const std::int32_t in_other = count - (rings + i);  // counted from the other pole
+            if (in_other <= other.rings()) {
+                const ProfileRow& row = other.fitted[in_other];
+                below[i] = row_of(end, other.centre + row.height * other.radius * other.outward,
+                                  row.radius * other.width);
+            } else if (ring.shape == RingShape::circle || ring.shape == RingShape::node) {
+                below[i] = row_of(end, ring.centre, ring.half.x());
+            }
+        }
+        end.fitted = end.placed;
+        fit_round_end(end.sine, end.fitted, below);
+    }
+
+    /// Puts the poles and rings of round ends where their control points belong.
+    /// @param held  what widens a ring so that its smooth curve has the radius
+    void round_ends(std::int32_t p, double held) {
+        RoundEnd ends[2] = {find_round_end(p, 0), find_round_end(p, 1)};
+        const bool meet = ends[0].rings() > 0 && ends[1].rings() > 0 &&
+                          ring_count(p) - ends[0].rings() - ends[1].rings() < 2;
+        for (int pass = 0; pass < (meet ? 4 : 1); ++pass)
+            for (int side = 0; side < 2; ++side) fit_end(p, side, ends[side], ends[1 - side]);
+        for (int side = 0; side < 2; ++side)
+            if (ends[side].rings() > 0) move_end(p, side, held, ends[side]);
+    }
+    void move_end(std::int32_t p, int side, double held, const RoundEnd& end) {
+        const std::int32_t sides = d_.refinement.path_sides[p];
+        const auto put = [&](std::uint32_t vertex, std::int32_t i) {
+            const ProfileRow &from = end.placed[i], &to = end.fitted[i];
+            const Vec3 height = end.radius * end.outward, middle = end.centre + from.height * height;
+            const double wider = i == 0 ? 1 : from.radius > 0 ? held * to.radius / from.radius : held;
+            targets_[vertex] =
+                middle + (to.height - from.height) * height + wider * (targets_[vertex] - middle);
+        };
+        const std::uint32_t pole = b_.path_pole[p][side];
+        put(pole, 0);
+        freedom_[pole] = {};
+        for (std::int32_t i = 0; i < end.rings(); ++i) {
+            const std::int32_t ring = side == 0 ? i : ring_count(p) - 1 - i;
+            for (std::int32_t k = 0; k < sides; ++k) put(b_.path_vertex[p] + ring * sides + k, i + 1);
         }
     }
 

@@ -20,9 +20,39 @@ std::int32_t next_node(const Network& n, std::int32_t slot) {
     const auto nodes = n.nodes(path_and_end / 2);
     return path_and_end % 2 == 0 ? nodes[1] : nodes[nodes.size() - 2];
 }
-bool straight_to_joint(const Network& n, std::int32_t slot) {
-    const std::int32_t path = n.slot_path[slot] / 2;
+bool is_bone_between_joints(const Network& n, std::int32_t path) {
     return n.nodes(path).size() == 2 && n.path_end[path][0].at_joint() && n.path_end[path][1].at_joint();
+}
+
+/// How far along its bone a joint would like to reach: to where the tube leaves the nearest of its
+/// neighbours, at half the angle between both.
+double wanted_reach(const Network& n, const JointPoints& points, std::int32_t joint, std::int32_t slot) {
+    const ConeFrom& cone = points.cone[slot];
+    double nearest = -1;  // cosine
+    for (std::int32_t other = n.slot_first[joint]; other < n.slot_first[joint + 1]; ++other)
+        if (other != slot) nearest = std::max(nearest, cone.axis.dot(points.cone[other].axis));
+    const double tangent = std::sqrt((1 - std::min(1.0, nearest)) / (1 + nearest + 1e-12));
+    const double closing = cone.cosine * tangent + cone.sine;
+    const double reach = closing > 0 ? cone.near / closing : cone.length;
+    return std::clamp(reach, std::min(cone.near, cone.length), cone.length);
+}
+
+/// Two joints share the bone between them by what each would like; what is left over by their radii.
+void share_bone(const Network& n, std::int32_t path, JointPoints& points) {
+    const auto& ends = n.path_end[path];
+    const std::int32_t a = n.slot_first[ends[0].joint] + ends[0].slot,
+                       b = n.slot_first[ends[1].joint] + ends[1].slot;
+    const double wanted_a = wanted_reach(n, points, ends[0].joint, a),
+                 wanted_b = wanted_reach(n, points, ends[1].joint, b);
+    const ConeFrom& cone = points.cone[a];
+    const double whole = 0.9 * cone.length, spare = whole - wanted_a - wanted_b;
+    if (spare >= 0) {
+        points.limit[a] = wanted_a + spare * cone.near / (cone.near + cone.far);
+        points.limit[b] = wanted_b + spare * cone.far / (cone.near + cone.far);
+    } else {
+        points.limit[a] = whole * wanted_a / (wanted_a + wanted_b);
+        points.limit[b] = whole * wanted_b / (wanted_a + wanted_b);
+    }
 }
 
 SlotKind kind_of(const Plain& s, const Network& n, std::int32_t node, std::int32_t slot) {
@@ -144,13 +174,14 @@ void find_joint_surfaces(const Plain& s, const Network& n, JointPoints& points) 
             points.body[j] = s.form(node);
             for (std::int32_t slot = n.slot_first[j]; slot < n.slot_first[j + 1]; ++slot) {
                 const std::int32_t next = next_node(n, slot);
-                const ConeFrom& cone =
-                    points.cone[slot] = {s.position[node], s.radius[node], s.position[next], s.radius[next]};
-                if (straight_to_joint(n, slot))
-                    points.limit[slot] = 0.9 * cone.length * cone.near / (cone.near + cone.far);
+                points.cone[slot] = {s.position[node], s.radius[node], s.position[next], s.radius[next]};
                 if (!s.forms.empty()) points.kind[slot] = kind_of(s, n, node, slot);
             }
         }
+    });
+    tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n.path_count(), 128), [&](const auto& range) {
+        for (std::int32_t p = range.begin(); p < range.end(); ++p)
+            if (is_bone_between_joints(n, p)) share_bone(n, p, points);
     });
     if (s.forms.empty()) return;
     for (std::int32_t j = 0; j < n.joint_count(); ++j) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double steep = 0.45;  // sine of a cone's slope from which its round parts get rings of their own
 constexpr double very_steep = 0.85;
+constexpr double corner = 0.1;  // radians between two slopes from which their ring needs others beside it
 constexpr float pit_rings[] = {1.0f, 0.8f, 0.45f};  // widths of the rings down a dent
 
 class RingPlacer {
@@ -90,6 +91,7 @@ class RingPlacer {
         ring.before = w_.node(i - 1);
         ring.after = w_.node(i + 1);
         ring.shape = RingShape::node;
+        if (wants_support(i)) ring.fit = RingFit::held;
         const Form* form = w_.form(i);
         if (!form || form->kind != Form::Kind::ring) return;
         take_form(ring, *form);
@@ -163,8 +165,10 @@ class RingPlacer {
             Station& ring = add(centre, at_end ? outward : Vec3(-outward), r * cosine, at_end ? leaf - 1 : 0,
                                 at_end ? 1 : 0);
             ring.node = w_.node(leaf);
+            ring.fit = RingFit::cap;
             if (!form) continue;
             take_form(ring, *form);
+            if (ring.shape != RingShape::circle || ring.crease > 0) ring.fit = RingFit::through;
             ring.half *= cosine;
             ring.crease = step == 0 ? ring.crease : 0;
         }
@@ -221,6 +225,31 @@ class RingPlacer {
         return w_.is_inner(i) && w_.kind((beyond + w_.bone_count()) % w_.bone_count()) != BoneKind::tube;
     }
 
+    /// Whether this node is a round end or the base of a tip, beside which a smooth surface swings out
+    /// unless a ring holds it.
+    bool wants_support(std::int32_t i) const {
+        if (!w_.options.support || w_.closed) return false;
+        const std::int32_t last = w_.count() - 1;
+        if (i == 0 || i == last)
+            return !(i == 0 ? w_.near : w_.far).any() && w_.s.cap[w_.node(i)] == Cap::round &&
+                   !is_rectangular(i);
+        return is_base_of_tip(i);
+    }
+    bool is_base_of_tip(std::int32_t i) const {
+        const bool tip = (i == 1 && w_.s.cap[w_.node(0)] == Cap::point) ||
+                         (i + 2 == w_.count() && w_.s.cap[w_.node(i + 1)] == Cap::point);
+        if (!tip || (w_.form(i) && w_.form(i)->kind == Form::Kind::ring)) return false;
+        return std::abs(slope(i - 1) - slope(i)) > corner;
+    }
+    bool is_rectangular(std::int32_t i) const {
+        const Form* f = w_.form(i);
+        return f && f->kind == Form::Kind::ring && f->section == Section::rectangular;
+    }
+    double slope(std::int32_t bone) const {
+        return portable::angle_of(w_.radius(bone + 1) - w_.radius(bone),
+                                  (w_.position(bone + 1) - w_.position(bone)).norm());
+    }
+
     /// Rings along a bone: one beside each joint, so that the tube keeps its radius from there on, and some
     /// where a steep cone touches the balls at its ends.
     void add_on_bone(std::int32_t bone) {
@@ -228,16 +257,22 @@ class RingPlacer {
         if (cone.nested()) return;
         const std::pair<double, double> free = free_part(bone, cone);
         const double low = free.first, high = free.second;  // clang 14: a lambda takes no structured binding
-        const bool at_near = leaves_joint(bone, true), at_far = leaves_joint(bone + 1, false);
+        const bool hold_near = wants_support(bone), hold_far = wants_support(bone + 1);
+        const bool at_near = !hold_near && leaves_joint(bone, true),
+                   at_far = !hold_far && leaves_joint(bone + 1, false);
         const double low_edge = edge(cone.radius_at(low)), high_edge = edge(cone.radius_at(high)),
                      room = high - low;
         heights_.clear();
         if (at_near && at_far && room <= 0.75 * (low_edge + high_edge)) {
             if (room > 0.4 * (low_edge + high_edge)) heights_.push_back((low + high) / 2);
         } else {
-            if (at_near && room > 1.25 * low_edge) heights_.push_back(low + 0.4 * low_edge);
-            if (at_far && room > 1.25 * high_edge) heights_.push_back(high - 0.4 * high_edge);
+            const double part = hold_near || hold_far ? room / 2 : room;
+            if (at_near && part > 1.25 * low_edge) heights_.push_back(low + 0.4 * low_edge);
+            if (at_far && part > 1.25 * high_edge) heights_.push_back(high - 0.4 * high_edge);
         }
+        const double part = hold_near && hold_far ? room / 2 : at_near || at_far ? 0.6 * room : room;
+        if (hold_near) offer_support(low, 1, low_edge, part);
+        if (hold_far) offer_support(high, -1, high_edge, part);
         const bool shaped =
             is_shaped(bone) || is_shaped(bone + 1) || shaped_joint(bone) || shaped_joint(bone + 1);
         if (!shaped) offer_steep(bone, cone, low, high);
@@ -245,7 +280,17 @@ class RingPlacer {
         for (const double height : heights_) {
             Station& ring = add(w_.position(bone) + height * cone.axis, cone.axis, cone.radius_at(height),
                                 bone, height / cone.length);
+            if (hold_near || hold_far) ring.fit = RingFit::held;
             if (shaped) blend(ring, bone, height / cone.length);
+        }
+    }
+    /// Two rings beside one that the smooth surface bends at: from the second on it is as without the bend.
+    void offer_support(double from, double sign, double edge, double room) {
+        if (room > 0.9 * edge) {
+            heights_.push_back(from + sign * 0.3 * edge);
+            heights_.push_back(from + sign * 0.65 * edge);
+        } else if (room > 0.3 * edge) {
+            heights_.push_back(from + sign * 0.5 * room);
         }
     }
     bool shaped_joint(std::int32_t i) const {

@@ -26,6 +26,7 @@ struct PathWork {
     const Polyhedra& p;
     const Refinement& r;
     const JointPoints& points;
+    const StationOptions& options;
     Stations& out;
 
     std::int32_t path = 0, sides = 0;

@@ -51,7 +51,8 @@ Result<QuadMesh> make_mesh(const Plain& skeleton, const SkinOptions& options, co
         return refined_mesh(skeleton, network, *polyhedra, *refinement, points);
 
     progress(0.5, "bridge");
-    const Stations stations = make_stations(skeleton, network, *polyhedra, *refinement, points);
+    const Stations stations = make_stations(skeleton, network, *polyhedra, *refinement, points,
+                                            {.support = options.fit == Fit::limit});
     const Parts parts{skeleton, network, *polyhedra, *refinement, points, stations};
     auto bridged = bridge(parts, progress);
     if (!bridged) return fail(bridged.error());

@@ -59,8 +59,8 @@ void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
     }
     if (w.points.body[end.joint] || w.points.kind[slot] != SlotKind::cone) return;
     const ConeFrom& cone = w.points.cone[slot];
-    side.reach =
-        std::max(side.reach, height_in_cell(w, side, cone, std::min(cone.length, w.points.limit[slot])));
+    const double limit = std::min(cone.length - 0.25 * cone.far, w.points.limit[slot]);
+    side.reach = std::max(side.reach, height_in_cell(w, side, cone, limit));
 }
 
 /// @param least_rings  rings that the path must have, so that no two paths share an edge
@@ -141,7 +141,8 @@ void append_part(Stations& to, const Stations& from) {
 }  // namespace
 
 Stations make_stations(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
-                       const Refinement& refinement, const JointPoints& points) {
+                       const Refinement& refinement, const JointPoints& points,
+                       const StationOptions& options) {
     const std::vector<std::uint8_t> least = least_rings(network);
     Stations all;
     clear(all);
@@ -149,7 +150,7 @@ Stations make_stations(const Plain& skeleton, const Network& network, const Poly
         network.path_count(), chunk_size,
         [&](Stations& part, std::int32_t begin, std::int32_t end) {
             clear(part);
-            PathWork work{skeleton, network, polyhedra, refinement, points, part};
+            PathWork work{skeleton, network, polyhedra, refinement, points, options, part};
             for (std::int32_t p = begin; p < end; ++p) build(work, p, least[p]);
         },
         [&](Stations& part) {

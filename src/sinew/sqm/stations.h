@@ -18,6 +18,13 @@ enum class RingShape : std::uint8_t {
     pit,      ///< on the wall of a dent, at Station::share of its width
 };
 
+/// What the smooth surface, not the control mesh, has to do with a ring.
+enum class RingFit : std::uint8_t {
+    through,  ///< it passes through the ring
+    held,     ///< it is as wide as if the rings on both sides were the same: a stop to what they do
+    cap,      ///< the ring belongs to a round end, whose rings are fitted together
+};
+
 /// A ring of vertices. Vertex k is seen from the centre at the angle Stations::angle[k] + turn, from x
 /// towards y.
 struct Station {
@@ -41,7 +48,8 @@ struct Station {
         0;               ///< outline: which quarter turn of the outline is at the path's first corner column
     bool far = false;    ///< follow, pit: the joint is the one at the path's end
     bool round = false;  ///< subdivision keeps the ring on its circle
-    bool corners = false;               ///< its corner vertices never move
+    bool corners = false;  ///< its corner vertices never move
+    RingFit fit = RingFit::through;
     BoneKind to_next = BoneKind::tube;  ///< side, plate: the faces from here to the next ring are flat
 };
 
@@ -58,8 +66,15 @@ struct Stations {
     std::vector<std::int32_t> corner;  ///< path -> its first corner column; -1 if it has no corners
 };
 
+struct StationOptions {
+    /// Rings beside round ends and the bases of tips too, as there are beside joints: a smooth surface needs
+    /// them to keep the radius from there on.
+    bool support = false;
+};
+
 Stations make_stations(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
-                       const Refinement& refinement, const JointPoints& points);
+                       const Refinement& refinement, const JointPoints& points,
+                       const StationOptions& options = {});
 
 /// Column that carries corner 0, 1, 2 or 3 of a path of `sides` columns.
 inline std::int32_t corner_column(std::int32_t first_corner, int corner, std::int32_t sides) {
