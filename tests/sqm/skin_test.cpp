@@ -1,0 +1,106 @@
+#include "sinew/sqm/skin.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "sinew/mesh/measure.h"
+#include "sinew/mesh/validate.h"
+#include "sqm/stages.h"
+
+namespace sinew {
+namespace {
+
+using sqm::add;
+
+std::int64_t formula(const Document& document) {
+    std::vector<int> degree(document.nodes.size(), 0);
+    for (const Bone& bone : bones_of(document)) ++degree[bone[0]], ++degree[bone[1]];
+    std::int64_t sum = 0;
+    for (const int d : degree) sum += d > 2 ? 2 * (d - 2) : d == 1 ? 1 : 0;
+    return sum;
+}
+
+TEST(Skin, OfATreeHasAtMostTheFormulasIrregularVertices) {
+    property::Random random(28);
+    for (int round = 0; round < 20; ++round) {
+        const Document tree = sqm::random_tree(random, 1 + round % 5);
+        const Skin skin = sinew::skin(tree).value();
+        const Validation v = validate(skin.mesh);
+        EXPECT_TRUE(v.solid());
+        EXPECT_EQ(v.euler, 2);
+        EXPECT_EQ(skin.irregular, formula(tree));
+        const Measures m = measure(skin.mesh);
+        EXPECT_LE(m.irregular_vertices, skin.irregular);
+        EXPECT_EQ(m.stray_triangles, 0);
+        EXPECT_LE(m.max_valence, 12);
+    }
+}
+
+TEST(Skin, CountsComponentsAndCycles) {
+    Document d = sqm::cube_of_struts();
+    add(d, -1, {20, 0, 0}, 1);
+    const Skin skin = sinew::skin(d).value();
+    EXPECT_EQ(skin.components, 2);
+    EXPECT_EQ(skin.cycles, 5);
+    const Validation v = validate(skin.mesh);
+    EXPECT_EQ(v.components, 2);
+    EXPECT_EQ(v.euler, 2 * 2 - 2 * 5);
+}
+
+TEST(Skin, HasEveryStageAsAMesh) {
+    const Document d = sqm::star(sqm::fan(5));
+    for (const SkinStage stage :
+         {SkinStage::polyhedra, SkinStage::refine, SkinStage::bridge, SkinStage::place}) {
+        const auto skin = sinew::skin(d, {.stage = stage});
+        ASSERT_TRUE(skin);
+        const Validation v = validate(skin->mesh);
+        EXPECT_TRUE(v.closed());
+        EXPECT_TRUE(v.finite());
+        EXPECT_EQ(v.euler, 2);
+    }
+}
+
+TEST(Skin, IsTheSameBytesAgain) {
+    const Document d = sqm::cube_of_struts();
+    const QuadMesh a = sinew::skin(d).value().mesh, b = sinew::skin(d).value().mesh;
+    ASSERT_EQ(a.positions.size(), b.positions.size());
+    EXPECT_EQ(std::memcmp(a.positions.data(), b.positions.data(), a.positions.size() * sizeof(Vec3f)), 0);
+    EXPECT_EQ(a.corners, b.corners);
+}
+
+TEST(Skin, RefusesWhatMakesNoSense) {
+    Document d = sqm::star(sqm::fan(3));
+    d.nodes[2].radius = 0;
+    const auto skin = sinew::skin(d);
+    ASSERT_FALSE(skin);
+    EXPECT_EQ(skin.error().kind, ErrorKind::input);
+    EXPECT_EQ(skin.error().node, d.nodes[2].id);
+}
+
+TEST(Skin, TellsOfItsProgressAndStopsOnRequest) {
+    double last = -1;
+    const Progress listener([&](double share, std::string_view) {
+        EXPECT_GE(share, last);
+        last = share;
+    });
+    ASSERT_TRUE(sinew::skin(sqm::star(sqm::fan(4)), {}, listener));
+    EXPECT_EQ(last, 1);
+    const std::atomic<bool> stop{true};
+    const auto skin = sinew::skin(sqm::star(sqm::fan(4)), {}, Progress({}, &stop));
+    ASSERT_FALSE(skin);
+    EXPECT_EQ(skin.error().kind, ErrorKind::cancelled);
+}
+
+TEST(Skin, NamesTheDrawnNodeOfAnImage) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 0.4);
+    add(d, 0, {3, 0, 0}, 0.3);
+    add(d, 0, {0, 3, 0}, 0.3);
+    const Skin skin = sinew::skin(sqm::mirrored(d)).value();
+    EXPECT_EQ(*std::max_element(skin.mesh.vertex_node.begin(), skin.mesh.vertex_node.end()), 2);
+    EXPECT_EQ(*std::max_element(skin.mesh.vertex_bone.begin(), skin.mesh.vertex_bone.end()), 1);
+    EXPECT_EQ(skin.mesh.features.poles.size(), 3u);  // the limb, its image, and the one in the plane
+}
+
+}  // namespace
+}  // namespace sinew
