@@ -3,6 +3,7 @@
 #include <QIODevice>
 #include <QIcon>
 #include <QMimeData>
+#include <algorithm>
 
 #include "document/edits.h"
 #include "window/icons.h"
@@ -45,9 +46,15 @@ std::vector<OutlinerModel::Row> OutlinerModel::rows_of(const Document& document)
     return rows;
 }
 
+bool OutlinerModel::same_tree(const std::vector<Row>& a, const std::vector<Row>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Row& x, const Row& y) { return x.parent == y.parent; });
+}
+
 void OutlinerModel::update() {
     std::vector<Row> rows = rows_of(model_.document());
     if (rows == rows_ && !children_.empty()) return;
+    if (same_tree(rows, rows_) && !children_.empty()) return relabel(std::move(rows));
     beginResetModel();
     rows_ = std::move(rows);
     children_.assign(rows_.size() + 1, {});
@@ -59,6 +66,13 @@ void OutlinerModel::update() {
         siblings.push_back(static_cast<std::int32_t>(i));
     }
     endResetModel();
+}
+
+/// Names and types change in place: views keep what is open, and the editor that a name was typed in.
+void OutlinerModel::relabel(std::vector<Row> rows) {
+    std::swap(rows_, rows);
+    for (std::int32_t i = 0; i < std::ssize(rows_); ++i)
+        if (rows_[i] != rows[i]) emit dataChanged(index_of(i), index_of(i));
 }
 
 const std::vector<std::int32_t>& OutlinerModel::children(const QModelIndex& parent) const {
@@ -102,7 +116,6 @@ QVariant OutlinerModel::data(const QModelIndex& index, int role) const {
 
 bool OutlinerModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (role != Qt::EditRole) return false;
-    // The change resets this model; Qt's delegate is done with the index by then.
     model_.apply("Rename",
                  rename(model_.document(), node_of(index), value.toString().trimmed().toStdString()));
     return true;

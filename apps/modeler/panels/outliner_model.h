@@ -46,7 +46,9 @@ class OutlinerModel : public QAbstractItemModel {
         bool operator==(const Row&) const = default;
     };
     static std::vector<Row> rows_of(const Document& document);
+    static bool same_tree(const std::vector<Row>& a, const std::vector<Row>& b);
     void update();
+    void relabel(std::vector<Row> rows);
     const std::vector<std::int32_t>& children(const QModelIndex& parent) const;
 
     Model& model_;

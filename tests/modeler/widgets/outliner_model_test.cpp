@@ -72,6 +72,19 @@ TEST(OutlinerModel, a_move_in_space_keeps_every_index) {
     EXPECT_TRUE(index.isValid());
 }
 
+TEST(OutlinerModel, a_new_label_is_told_of_that_node_alone) {
+    Tree tree;
+    std::vector<std::int32_t> told;
+    int resets = 0;
+    QObject::connect(&tree.items, &QAbstractItemModel::modelReset, [&] { ++resets; });
+    QObject::connect(&tree.items, &QAbstractItemModel::dataChanged,
+                     [&](const QModelIndex& index) { told.push_back(OutlinerModel::node_of(index)); });
+    tree.model.apply("Rename", rename(tree.model.document(), 2, "arm"));
+    tree.model.apply("Type", set_type(tree.model.document(), std::vector<std::int32_t>{4}, NodeType::cone));
+    EXPECT_THAT(told, testing::ElementsAre(2, 4));
+    EXPECT_EQ(resets, 0);
+}
+
 TEST(OutlinerModel, a_new_name_is_a_step) {
     Tree tree;
     EXPECT_TRUE(tree.items.setData(tree.items.index_of(2), "  left arm ", Qt::EditRole));

@@ -4,17 +4,13 @@
 #include <signal.h>
 
 #include <QApplication>
-#include <QClipboard>
 #include <QComboBox>
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QDropEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QProcess>
-#include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
 
@@ -43,31 +39,20 @@ int draw_and_crash() {
 
 namespace {
 
-void type_path(QDialog& dialog, const QString& path) {
-    auto* edit = dialog.findChild<QLineEdit*>("fileNameEdit");
-    ASSERT_TRUE(edit);
-    edit->setFocus();
-    edit->selectAll();
-    // Pasted: the dialog selects each folder that one types on the way.
-    QApplication::clipboard()->setText(path);
-    QTest::keyClick(edit, Qt::Key_V, Qt::ControlModifier);
-    const auto* files = qobject_cast<QFileDialog*>(&dialog);
-    ASSERT_TRUE(Robot::wait([&] { return files->selectedFiles() == QStringList{path}; }));
-    QPushButton* accept = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save);
-    QTest::mouseClick(accept, Qt::LeftButton);
+QString path_in(const TemporaryFolder& folder, const char* name) {
+    return QString::fromStdString(folder.file(name));
 }
 
 TEST(Files, what_is_saved_is_what_was_drawn) {
     const TemporaryFolder folder;
-    const QString path = folder.file("limb.sinew");
+    const QString path = path_in(folder, "limb.sinew");
     Document drawn;
     {
         Robot robot;
         robot.look_from_front();
         robot.drag({0, 0, 0}, {2, 0, 1}, Qt::ControlModifier);
         EXPECT_TRUE(robot.window().isWindowModified());
-        robot.when_dialog("save_dialog", [&](QDialog& dialog) { type_path(dialog, path); });
-        robot.key(Qt::Key_S, Qt::ControlModifier);
+        robot.save_as(path);
         EXPECT_FALSE(robot.window().isWindowModified());
         EXPECT_EQ(robot.window().windowTitle(), "limb.sinew[*] - Skeleton Modeler");
         drawn = robot.document();
@@ -96,7 +81,7 @@ TEST(Files, a_changed_document_asks_before_it_closes) {
 
 TEST(Files, a_dropped_file_is_opened) {
     const TemporaryFolder folder;
-    const QString path = folder.file("neuron.swc");
+    const QString path = path_in(folder, "neuron.swc");
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write("1 1 0 0 0 1 -1\n2 3 0 0 4 0.5 1\n3 3 2 0 8 0.3 2\n4 3 -2 0 8 0.3 2\n");
@@ -117,7 +102,7 @@ TEST(Files, a_dropped_file_is_opened) {
 
 TEST(Files, a_broken_file_is_refused_with_a_reason) {
     const TemporaryFolder folder;
-    const QString path = folder.file("broken.sinew");
+    const QString path = path_in(folder, "broken.sinew");
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(R"({"format": "sinew", "version": 1, "nodes": [{"id": 1, "position": [0, 0], "radius": 1}]})");
@@ -135,7 +120,7 @@ TEST(Files, a_broken_file_is_refused_with_a_reason) {
 
 TEST(Files, the_mesh_is_exported_at_the_level_asked_for) {
     const TemporaryFolder folder;
-    const QString path = folder.file("tube.obj");
+    const QString path = path_in(folder, "tube.obj");
     Robot robot;
     robot.look_from_front();
     robot.drag({0, 0, 0}, {0, 0, 3}, Qt::ControlModifier);
@@ -164,7 +149,7 @@ TEST(Files, the_mesh_is_exported_at_the_level_asked_for) {
         const auto& shown = robot.window().meshes().mesh();
         return shown && shown->mesh && shown->mesh->vertex_count() == mesh->vertex_count();
     };
-    EXPECT_TRUE(QTest::qWaitFor(same_is_shown, 60000));  // the mesh of the level before may still be there
+    EXPECT_TRUE(Robot::wait(same_is_shown));  // the mesh of the level before may still be there
 }
 
 TEST(Files, what_a_crash_left_is_recovered) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QSettings>
 #include <QSurfaceFormat>
 
 #include "robot.h"
@@ -12,6 +13,15 @@ namespace sinew::modeler {
 int draw_and_crash();  // files_test.cpp
 }
 
+namespace {
+
+/// No test sees what one before it has chosen.
+class FreshSettings : public testing::EmptyTestEventListener {
+    void OnTestStart(const testing::TestInfo&) override { QSettings().clear(); }
+};
+
+}  // namespace
+
 int main(int argc, char** argv) {
     using namespace sinew::modeler;
     // A child that crashes lives in its parent's home.
@@ -19,7 +29,7 @@ int main(int argc, char** argv) {
     const TemporaryFolder home;
     if (!crashing)
         for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"})
-            qputenv(name, home.file(name).toUtf8());
+            qputenv(name, QByteArray::fromStdString(home.file(name)));
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -33,5 +43,6 @@ int main(int argc, char** argv) {
     theme::apply(application);
     if (crashing) return draw_and_crash();
     testing::InitGoogleTest(&argc, argv);
+    testing::UnitTest::GetInstance()->listeners().Append(new FreshSettings);
     return RUN_ALL_TESTS();
 }

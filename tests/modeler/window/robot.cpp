@@ -1,8 +1,13 @@
 #include "robot.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QDialog>
+#include <QDialogButtonBox>
 #include <QDir>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QScreen>
 #include <QTest>
 #include <QTimer>
@@ -19,7 +24,7 @@ QString path_of(const std::string& name) {
     return QString(SCREENSHOT_FOLDER) + "/" + QString::fromStdString(name) + ".png";
 }
 
-constexpr int patience = 30000;  ///< milliseconds: a loaded machine of two cores
+constexpr int patience = 120000;  ///< milliseconds: a loaded machine of two cores, with sanitizers
 
 }  // namespace
 
@@ -104,6 +109,35 @@ void Robot::when_dialog(const QString& name, std::function<void(QDialog&)> then)
     timer->start(20);
 }
 
+namespace {
+
+void paste_path(QDialog& dialog, const QString& path) {
+    auto* edit = dialog.findChild<QLineEdit*>("fileNameEdit");
+    edit->setFocus();
+    edit->selectAll();
+    // Pasted: the dialog selects each folder that one types on the way.
+    QApplication::clipboard()->setText(path);
+    QTest::keyClick(edit, Qt::Key_V, Qt::ControlModifier);
+    const auto* files = qobject_cast<QFileDialog*>(&dialog);
+    if (!Robot::wait([&] { return files->selectedFiles() == QStringList{path}; }))
+        qWarning("the dialog does not take the path");
+    const auto role =
+        files->acceptMode() == QFileDialog::AcceptSave ? QDialogButtonBox::Save : QDialogButtonBox::Open;
+    QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(role), Qt::LeftButton);
+}
+
+}  // namespace
+
+void Robot::save_as(const QString& path) {
+    when_dialog("save_dialog", [path](QDialog& dialog) { paste_path(dialog, path); });
+    key(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+}
+
+void Robot::open(const QString& path) {
+    when_dialog("open_dialog", [path](QDialog& dialog) { paste_path(dialog, path); });
+    key(Qt::Key_O, Qt::ControlModifier);
+}
+
 void Robot::screenshot(const std::string& name) {
     // What the screen shows: a grab of Qt's leaves out what is painted over the scene.
     bool drawn = false;
@@ -120,20 +154,6 @@ void Robot::screenshot(const std::string& name) {
 void Robot::screenshot(QWidget& widget, const std::string& name) {
     QDir().mkpath(SCREENSHOT_FOLDER);
     widget.grab().save(path_of(name));
-}
-
-TemporaryFolder::TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "sinew-modeler-XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
-
-QString TemporaryFolder::file(const QString& name) const {
-    return QString::fromStdString(path_.string()) + "/" + name;
 }
 
 }  // namespace sinew::modeler

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "modeler/temporary_folder.h"
 #include "sinew/base/vec.h"
 #include "window/main_window.h"
 
@@ -45,6 +46,10 @@ class Robot {
     /// say it before.
     void when_dialog(const QString& name, std::function<void(QDialog&)> then);
 
+    /// Saves under a name by Ctrl+Shift+S, and opens by Ctrl+O: the path is pasted into the dialog.
+    void save_as(const QString& path);
+    void open(const QString& path);
+
     /// A picture of the window in the build folder.
     void screenshot(const std::string& name);
     static void screenshot(QWidget& widget, const std::string& name);
@@ -54,17 +59,6 @@ class Robot {
 
   private:
     std::unique_ptr<MainWindow> window_;
-};
-
-/// A fresh folder that goes away with the test.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    QString file(const QString& name) const;
-
-  private:
-    std::filesystem::path path_;
 };
 
 }  // namespace sinew::modeler
