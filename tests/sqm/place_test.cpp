@@ -1,6 +1,7 @@
 #include "sinew/sqm/place.h"
 
 #include "sinew/mesh/deviation.h"
+#include "sinew/mesh/measure.h"
 #include "sinew/mesh/validate.h"
 #include "sqm/stages.h"
 
@@ -49,6 +50,16 @@ TEST(Place, RingsOfConesAndBendsLieOnTheRoundCones) {
     const Deviation deviation = measure_deviation(placed(s), cones_of(s.skeleton));
     EXPECT_LT(deviation.mean_abs, 0.001);
     EXPECT_LT(deviation.max_abs, 0.01);
+}
+
+TEST(Place, RingsOfTightBendsDoNotCross) {
+    for (const double angle : {1.2, 1.8, 2.4, 2.8}) {  // bones no longer than their balls are thick
+        const Vec3 on(std::cos(angle), std::sin(angle), 0);
+        const Stages s(chain(std::vector<Vec3>{{-1, 0, 0}, {0, 0, 0}, on, on + Vec3::UnitX()}, 0.6));
+        Bridge b = bridge(s.parts()).value();
+        ASSERT_TRUE(place(s.parts(), s.images, {}, b));
+        EXPECT_FALSE(measure(b.mesh).folded_quads) << angle;
+    }
 }
 
 TEST(Place, VerticesOfTreesLieOnTheRoundCones) {

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <limits>
 
 #include "sinew/base/large_array.h"
 #include "sinew/base/portable_math.h"
@@ -69,8 +70,13 @@ class Placer {
             put([&](const Vec3& ray) -> Vec3 { return on_pit(ring, p, ellipse(ring, ray)); });
         } else if (ring.shape == RingShape::node && options_.ideal) {
             const ConeFrom before = cone_from(ring, ring.before), after = cone_from(ring, ring.after);
+            const double before_room = room_of(p, ring.before, before),
+                         after_room = room_of(p, ring.after, after);
             put([&](const Vec3& ray) -> Vec3 {
-                return ring.centre + std::max(before.exit(ray), after.exit(ray)) * ray;
+                const double exit = std::max(before.exit(ray), after.exit(ray));
+                const double most = std::min(within(before_room, ray.dot(before.axis)),
+                                             within(after_room, ray.dot(after.axis)));
+                return ring.centre + std::min(exit, most) * ray;
             });
         } else {
             put([&](const Vec3& ray) -> Vec3 { return ring.centre + widened(ring, ellipse(ring, ray)); });
@@ -79,6 +85,16 @@ class Placer {
     ConeFrom cone_from(const Station& ring, std::int32_t other) const {
         const Plain& s = d_.skeleton;
         return {ring.centre, ring.half.x(), s.position[other], s.radius[other]};
+    }
+    /// How far a ring may lean over a bone, on the inner side of a bend: to its middle where a ring comes
+    /// from the other node too. Further, both would cross.
+    double room_of(std::int32_t p, std::int32_t other, const ConeFrom& bone) const {
+        const auto nodes = n_.nodes(p);
+        const bool is_end = !n_.path_closed[p] && (other == nodes.front() || other == nodes.back());
+        return (is_end ? 0.9 : 0.5) * bone.length;
+    }
+    static double within(double room, double lean) {
+        return lean > 0 ? room / lean : std::numeric_limits<double>::infinity();
     }
     static Vec3 ellipse(const Station& ring, const Vec3& ray) {
         if (ring.half.x() == ring.half.y()) return ring.half.x() * ray;
