@@ -30,12 +30,12 @@ std::vector<Vec3f> smooth_points(const Document& document, int sides) {
     return subdivide(skinned->mesh, {.levels = 3, .limit = true})->positions;
 }
 
-/// Largest deviation from the radius between two heights.
-double worst_between(const std::vector<Vec3f>& points, double low, double high) {
+/// Largest deviation from the radius of a tube along x between two heights, of points below a plane.
+double worst_between(const std::vector<Vec3f>& points, double low, double high, double top = 1e9) {
     double worst = 0;
     int seen = 0;
     for (const Vec3f& p : points)
-        if (p.x() >= low && p.x() <= high) {
+        if (p.x() >= low && p.x() <= high && p.z() < top) {
             worst = std::max(worst, std::abs(std::hypot(p.y(), p.z()) - 1.0));
             ++seen;
         }
@@ -81,6 +81,24 @@ TEST(SkinnedRadii, OfShortSticks) {
             const auto points = smooth_points(stick(length, 0, NodeType::sphere), sides);
             EXPECT_LT(worst_of_capsule(points, length), length < 1 ? 0.055 : 0.03);
         }
+}
+
+TEST(SkinnedRadii, OfAFrameWithSharpBends) {
+    // A square of bones stays one: its arms are straight tubes up to an edge or two from the corners.
+    Document frame;
+    for (int i = 0; i < 4; ++i) {
+        Node node;
+        node.id = i;
+        node.position = {i == 1 || i == 2 ? 10.0 : 0.0, 0, i >= 2 ? 10.0 : 0.0};
+        node.radius = 1;
+        if (i > 0) node.parent = i - 1;
+        frame.nodes.push_back(node);
+    }
+    frame.links = {{3, 0}};
+    for (const int sides : {4, 5, 6, 8}) {
+        SCOPED_TRACE(sides);
+        EXPECT_LT(worst_between(smooth_points(frame, sides), 3.2, 6.8, 5), out_of_round(sides));
+    }
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double steep = 0.45;  // sine of a cone's slope from which its round parts get rings of their own
 constexpr double very_steep = 0.85;
-constexpr double corner = 0.1;  // radians between two slopes from which their ring needs others beside it
+constexpr double corner = 0.1;    // radians between two slopes from which their ring needs others beside it
+constexpr double straight = 0.6;  // cosine of the bend from which its arms are held straight
 constexpr float pit_rings[] = {1.0f, 0.8f, 0.45f};  // widths of the rings down a dent
 
 class RingPlacer {
@@ -91,7 +92,7 @@ class RingPlacer {
         ring.before = w_.node(i - 1);
         ring.after = w_.node(i + 1);
         ring.shape = RingShape::node;
-        if (wants_support(i)) ring.fit = RingFit::held;
+        if (w_.options.support && is_base_of_tip(i)) ring.fit = RingFit::held;
         const Form* form = w_.form(i);
         if (!form || form->kind != Form::Kind::ring) return;
         take_form(ring, *form);
@@ -225,21 +226,30 @@ class RingPlacer {
         return w_.is_inner(i) && w_.kind((beyond + w_.bone_count()) % w_.bone_count()) != BoneKind::tube;
     }
 
-    /// Whether this node is a round end or the base of a tip, beside which a smooth surface swings out
-    /// unless a ring holds it.
+    /// Whether this node is a round end, the base of a tip or a sharp bend, beside which a smooth surface
+    /// swings out unless rings hold it.
     bool wants_support(std::int32_t i) const {
-        if (!w_.options.support || w_.closed) return false;
+        if (!w_.options.support) return false;
         const std::int32_t last = w_.count() - 1;
-        if (i == 0 || i == last)
+        if (!w_.closed && (i == 0 || i == last))
             return !(i == 0 ? w_.near : w_.far).any() && w_.s.cap[w_.node(i)] == Cap::round &&
                    !is_rectangular(i);
-        return is_base_of_tip(i);
+        return is_base_of_tip(i) || is_bend(i);
     }
     bool is_base_of_tip(std::int32_t i) const {
+        if (w_.closed) return false;
         const bool tip = (i == 1 && w_.s.cap[w_.node(0)] == Cap::point) ||
                          (i + 2 == w_.count() && w_.s.cap[w_.node(i + 1)] == Cap::point);
         if (!tip || (w_.form(i) && w_.form(i)->kind == Form::Kind::ring)) return false;
         return std::abs(slope(i - 1) - slope(i)) > corner;
+    }
+    bool is_bend(std::int32_t i) const {
+        const Form* form = w_.form(i);
+        if (form && (form->kind != Form::Kind::ring || form->fixed || form->sharpness > 0)) return false;
+        const auto is_tube = [&](std::int32_t bone) {
+            return w_.kind((bone + w_.bone_count()) % w_.bone_count()) == BoneKind::tube;
+        };
+        return is_tube(i - 1) && is_tube(i) && w_.direction(i - 1).dot(w_.direction(i)) < straight;
     }
     bool is_rectangular(std::int32_t i) const {
         const Form* f = w_.form(i);
