@@ -33,16 +33,18 @@ const Glyphing& Interaction::glyphs() {
 }
 
 std::vector<Hit> Interaction::hits(const Pointer& pointer, const Screen& screen) {
+    if (locked) return {};
     return hits_at(model_.document(), glyphs(), screen, pointer.pixel);
 }
 
 std::optional<Vec3> Interaction::gizmo_place() const {
-    if (tool != Tool::move || gesture_ || model_.selection().active < 0) return std::nullopt;
+    if (tool != Tool::move || gesture_ || locked || model_.selection().active < 0) return std::nullopt;
     return model_.document().nodes[model_.selection().active].position;
 }
 
 void Interaction::press(const Pointer& pointer, const Screen& screen) {
     last_pointer_ = pointer;
+    if (locked) return;
     if (gesture_ && modal_) {
         gesture_->update(pointer, screen);
         return finish();
@@ -140,7 +142,7 @@ std::unique_ptr<Gesture> Interaction::move_of(const Selection& nodes, std::int32
 
 bool Interaction::start(Modal modal, const Pointer& pointer, const Screen& screen) {
     const Selection& selection = model_.selection();
-    if (gesture_ || selection.active < 0) return false;
+    if (gesture_ || locked || selection.active < 0) return false;
     const Pointer still{pointer.pixel};
     switch (modal) {
         case Modal::move:
@@ -218,7 +220,7 @@ void Interaction::select_hit(const Hit& hit, bool add) {
 }
 
 bool Interaction::wheel(const Pointer& pointer, const Screen& screen, double notches) {
-    if (gesture_) return false;
+    if (gesture_ || locked) return false;
     const Hit hit = hit_at(model_.document(), glyphs(), screen, pointer.pixel);
     if (hit.kind != Hit::Kind::node) return false;
     const Selection nodes = grabbed(hit);

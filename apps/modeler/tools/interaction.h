@@ -29,6 +29,7 @@ class Interaction {
     Tool tool = Tool::draw;
     SnapTo snap_to = SnapTo::grid;
     double glyph_scale = 1;  ///< as drawn (see glyph.h)
+    bool locked = false;     ///< nothing can be taken hold of
 
     void press(const Pointer& pointer, const Screen& screen);
     void move(const Pointer& pointer, const Screen& screen);

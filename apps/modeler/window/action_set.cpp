@@ -44,8 +44,18 @@ ActionSet::ActionSet(Context& context, QMainWindow& owner, std::function<void()>
     }
 }
 
+bool ActionSet::may_run(const Action& action) const {
+    if (locked_ && action.menu != Menu::view && action.menu != Menu::help) return false;
+    return !action.enabled || action.enabled(context_);
+}
+
+void ActionSet::lock(bool locked) {
+    locked_ = locked;
+    refresh();
+}
+
 void ActionSet::run(const Action& action) {
-    if (!action.enabled || action.enabled(context_)) action.run(context_);
+    if (may_run(action)) action.run(context_);
     refresh();
     ran_();
 }
@@ -105,7 +115,7 @@ void ActionSet::fill_context_menu(QMenu& menu) {
 void ActionSet::refresh() {
     for (const Action& action : actions()) {
         QAction* shown = find(action.id);
-        shown->setEnabled(!action.enabled || action.enabled(context_));
+        shown->setEnabled(may_run(action));
         if (action.checked) shown->setChecked(action.checked(context_));
     }
     const QUndoStack& history = context_.model.history();

@@ -25,6 +25,9 @@ class ActionSet {
     void fill(QToolBar& bar);
     void fill_context_menu(QMenu& menu);
 
+    /// Only the view can be changed: something else holds the document (see GrowDialog).
+    void lock(bool locked);
+
     /// What is enabled and checked follows the model and the settings.
     void refresh();
     void run(const Action& action);
@@ -38,7 +41,10 @@ class ActionSet {
   private:
     void add_to(QMenu& menu, const Action& action, QHash<QString, QMenu*>& submenus);
 
+    bool may_run(const Action& action) const;
+
     Context& context_;
+    bool locked_ = false;
     std::function<void()> ran_;
     QHash<QString, QAction*> actions_;
     QHash<int, QMenu*> menus_;

@@ -163,7 +163,7 @@ void MainWindow::start(const QString& path) {
     model_.replace(starting_document(), true);
     model_.select(selection_of(0));
     const bool recovered = files_.offer_recovery(recovery_);
-    if (!recovered && !path.isEmpty()) files_.open(path);
+    if (!recovered && !path.isEmpty()) open_dropped(path);
     host_->frame(true);
     refresh();
 }
@@ -219,11 +219,27 @@ void MainWindow::keep_copy() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    host_->stop_growing();
     if (!files_.may_close()) return event->ignore();
     copy_timer_.stop();
     recovery_.drop();
     save_settings();
     event->accept();
+}
+
+void MainWindow::lock(bool locked) {
+    tools_.locked = locked;
+    action_set_->lock(locked);
+    setAcceptDrops(!locked);
+    for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        dock->widget()->setEnabled(!locked);
+    recent_->setEnabled(!locked);
+    refresh();
+}
+
+void MainWindow::open_dropped(const QString& path) {
+    if (path.endsWith(".lsys", Qt::CaseInsensitive)) return host_->grow_file(path);
+    if (files_.open(path)) host_->frame(true);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -236,11 +252,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
     // A question may come up: not while the program that one dragged from waits.
     QMetaObject::invokeMethod(
-        this,
-        [this, path] {
-            if (files_.open(path)) host_->frame(true);
-        },
-        Qt::QueuedConnection);
+        this, [this, path] { open_dropped(path); }, Qt::QueuedConnection);
 }
 
 void MainWindow::load_settings() {

@@ -34,6 +34,9 @@ class MainWindow : public QMainWindow {
     /// Opens a file, or starts anew where there is none.
     void start(const QString& path);
 
+    /// While something else previews in the model only the view can be changed.
+    void lock(bool locked);
+
     Model& model() { return model_; }
     Interaction& tools() { return tools_; }
     ViewSettings& view() { return view_; }
@@ -53,6 +56,7 @@ class MainWindow : public QMainWindow {
     void make_status_line();
     void connect_parts();
     QDockWidget* add_panel(const QString& title, QWidget* widget, Qt::DockWidgetArea area);
+    void open_dropped(const QString& path);
     void show_mesh(const std::shared_ptr<const LiveMesh>& mesh);
     void refresh();  ///< after an action or a gesture: what is enabled, what the lines say
     void refresh_title();

@@ -1,6 +1,8 @@
 #include "window/window_host.h"
 
+#include <QFileDialog>
 #include <QFileInfo>
+#include <QSettings>
 #include <QStatusBar>
 
 #include "document/edits.h"
@@ -10,6 +12,7 @@
 #include "window/adjust_panel.h"
 #include "window/dialogs.h"
 #include "window/export_dialog.h"
+#include "window/grow_dialog.h"
 #include "window/main_window.h"
 #include "window/shortcut_sheet.h"
 #include "window/type_menu.h"
@@ -56,7 +59,51 @@ void WindowHost::export_mesh() {
     if (!written.isEmpty()) message("Exported " + QFileInfo(written).fileName().toStdString());
 }
 
-void WindowHost::grow() {}
+QString WindowHost::ask_grammar() {
+    QFileDialog dialog(&window_, "Choose an L-system", QSettings().value("grow/folder").toString(),
+                       "L-systems (*.lsys);;All files (*)");
+    dialog.setObjectName("grow_file");
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    if (dialog.exec() != QDialog::Accepted) return {};
+    const QString path = dialog.selectedFiles().value(0);
+    QSettings().setValue("grow/folder", QFileInfo(path).absolutePath());
+    return path;
+}
+
+void WindowHost::grow() {
+    const QString path = ask_grammar();
+    if (!path.isEmpty()) grow_file(path);
+}
+
+void WindowHost::grow_file(const QString& path) {
+    if (growing_) return;
+    auto* dialog = new GrowDialog(window_.model(), &window_);
+    if (!dialog->read(path)) {
+        delete dialog;
+        return;
+    }
+    growing_ = dialog;
+    dialog->first_grown = [this] { frame(true); };
+    dialog->choose = [this, dialog] {
+        const QString other = ask_grammar();
+        if (!other.isEmpty()) dialog->read(other);
+    };
+    QObject::connect(dialog, &QDialog::finished, &window_, [this] {
+        growing_.clear();
+        window_.lock(false);
+        frame(true);
+    });
+    window_.lock(true);
+    // At the right, over the panels that rest meanwhile: the skeleton stays in sight.
+    dialog->show();
+    const QPoint corner = window_.mapToGlobal(QPoint(window_.width(), 0));
+    dialog->move(corner.x() - dialog->frameGeometry().width() - 8,
+                 window_.viewport().mapToGlobal(QPoint()).y() + 8);
+}
+
+void WindowHost::stop_growing() {
+    if (growing_) growing_->reject();
+}
 
 void WindowHost::reference_pictures() {
     ask_reference_pictures(&window_, window_.viewport().references(),

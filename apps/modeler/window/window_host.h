@@ -2,11 +2,14 @@
 /// What actions ask of the window.
 #pragma once
 
+#include <QPointer>
+
 #include "actions/action.h"
 
 namespace sinew::modeler {
 
 class AdjustPanel;
+class GrowDialog;
 class MainWindow;
 class TypeMenu;
 
@@ -37,12 +40,18 @@ class WindowHost : public Host {
     void about() override;
     void message(const std::string& text) override;
 
+    void grow_file(const QString& path);
+    void stop_growing();
+
     std::function<void()> palette_wanted, rename_wanted;
 
   private:
+    QString ask_grammar();
+
     MainWindow& window_;
     TypeMenu* type_menu_ = nullptr;
     AdjustPanel* adjust_panel_ = nullptr;
+    QPointer<GrowDialog> growing_;
 };
 
 }  // namespace sinew::modeler
