@@ -35,6 +35,14 @@ QSpinBox* whole_number(const char* name, int least, int most) {
     return box;
 }
 
+QLabel* remark_label(const std::string& remark) {
+    auto* label = new QLabel(QString::fromStdString(remark));
+    label->setProperty("dim", true);
+    label->setWordWrap(true);
+    label->setContentsMargins(0, 6, 0, 0);
+    return label;
+}
+
 /// What a slider reaches: from nothing to twice what the file says.
 double reach_of(double value) { return value == 0 ? 1 : 2 * value; }
 
@@ -72,7 +80,7 @@ GrowDialog::GrowDialog(Model& model, QWidget* parent) : QDialog(parent, Qt::Tool
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    resize(400, 560);
+    resize(380, 640);
     grower_ = std::make_unique<Grower>([this](std::shared_ptr<const Grown> grown) {
         QMetaObject::invokeMethod(
             this, [this, grown = std::move(grown)] { take(*grown); }, Qt::QueuedConnection);
@@ -157,10 +165,8 @@ void GrowDialog::add_constant(const GrowConstant& constant) {
     auto* line = new QHBoxLayout;
     line->addWidget(slider, 1);
     line->addWidget(box);
-    QLabel* label = form_label(QString::fromStdString(constant.name));
-    for (QWidget* widget : std::initializer_list<QWidget*>{label, slider, box})
-        widget->setToolTip(QString::fromStdString(constant.remark));
-    constants_->addRow(label, line);
+    if (!constant.remark.empty()) constants_->addRow(remark_label(constant.remark));
+    constants_->addRow(form_label(QString::fromStdString(constant.name)), line);
     connect(slider, &QSlider::valueChanged, box,
             [box, reach](int notch) { box->setValue(reach * notch / notches); });
     connect(box, &QDoubleSpinBox::valueChanged, this,
