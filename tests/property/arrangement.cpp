@@ -34,9 +34,9 @@ double least_angle(const Document& document) {
 
 bool has_room(const Document& document) {
     const auto bones = bones_of(document);
-    return least_angle(document) > 0.35 && std::all_of(bones.begin(), bones.end(), [&](const Bone& bone) {
+    return least_angle(document) > 0.15 && std::all_of(bones.begin(), bones.end(), [&](const Bone& bone) {
                const Node &a = document.nodes[bone[0]], &b = document.nodes[bone[1]];
-               return (a.position - b.position).norm() >= 1.5 * (a.radius + b.radius);
+               return (a.position - b.position).norm() >= 1.1 * (a.radius + b.radius);
            });
 }
 

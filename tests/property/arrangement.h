@@ -12,7 +12,7 @@ bool is_plain(const Document& document);
 /// The least angle between two bones at one node, in radians; 0 where a bone has no length.
 double least_angle(const Document& document);
 
-/// Whether the round cones of the bones at a node come apart somewhere: bones half as long again as the balls
+/// Whether the round cones of the bones at a node come apart somewhere: bones a tenth longer than the balls
 /// at their ends, and not side by side. Tubes that swallow each other have no outside to speak of.
 bool has_room(const Document& document);
 

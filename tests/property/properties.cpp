@@ -53,9 +53,17 @@ GraphCounts expected_counts(const Document& drawn) {
     return counts;
 }
 
-/// Fitting the smooth surface moves small joints between large balls so far that they may turn inside out.
-bool is_outward_due(const Case& tried) {
-    return tried.options.fit == Fit::control && is_plain(tried.document) && has_room(tried.document);
+/// Several dents in one body may take all of it away.
+bool has_dents_in_one_body(const Document& document) {
+    std::vector<int> dents(document.nodes.size(), document.symmetry.kind == Symmetry::Kind::none ? 0 : 1);
+    for (const Bone& bone : bones_of(document))
+        for (int end = 0; end < 2; ++end)
+            if (document.nodes[bone[end]].type == NodeType::negative && ++dents[bone[1 - end]] > 1)
+                return true;
+    return false;
+}
+bool is_outward_due(const Document& document) {
+    return has_room(document) && !has_dents_in_one_body(document);
 }
 
 std::string topology(const Skin& skin, const GraphCounts& counts, bool outward) {
@@ -247,7 +255,7 @@ std::string failure_of(const Case& tried) {
         return skin.error().kind == ErrorKind::input ? "" : "refused: " + skin.error().text();
     }
     if (!skin) return "skin: " + skin.error().text();
-    std::string failure = topology(*skin, expected_counts(tried.document), is_outward_due(tried));
+    std::string failure = topology(*skin, expected_counts(tried.document), is_outward_due(tried.document));
     if (failure.empty()) failure = faces(*skin);
     if (failure.empty()) failure = origins(*skin, tried.document);
     if (failure.empty()) failure = features(tried, skin->mesh);

@@ -220,6 +220,13 @@ double exit_of_node(const PlainBuilder& b, std::int32_t node, const Vec3& ray) {
     return distance;
 }
 
+/// A dent as wide as what it is pressed into would leave nothing of it.
+bool narrow(double& half, double parent) {
+    if (half < parent) return false;
+    half = 0.9 * parent;
+    return true;
+}
+
 }  // namespace
 
 double exit_of_ellipsoid(const Form& form, const Vec3& ray) {
@@ -280,7 +287,11 @@ void add_pit(PlainBuilder& b, std::int32_t node) {
                "this negative leaf is deeper than its parent is thick; its dent ends before the far side");
         depth = 0.85 * room;
     }
-    b.set_form(node, section_form(b, node));
+    Form opening = section_form(b, node);
+    if (narrow(opening.half.x(), exit_of_node(b, parent, opening.x)) |
+        narrow(opening.half.y(), exit_of_node(b, parent, opening.y)))
+        b.warn(node, "this negative leaf is wider than its parent; its dent leaves a wall round it");
+    b.set_form(node, opening);
     b.set_pit(node, depth);
     const bool needs_body = !b.form(parent) || b.form(parent)->kind == Form::Kind::ring;
     if (!needs_body || b.degree(parent) > 2) return;
