@@ -28,12 +28,13 @@ void add_section(PlainBuilder& builder, std::int32_t node) {
         builder.set_form(node, form);
         return;
     }
-    if (degree == 1 && drawn.type == NodeType::cone) {
+    const bool is_end = degree == 1 && !builder.is_pit(builder.other(builder.bones(node)[0], node));
+    if (is_end && drawn.type == NodeType::cone) {
         builder.set_cap(node, Cap::point);
         builder.set_radius(node, 0);
         return;
     }
-    if (degree == 1 && drawn.type == NodeType::hemisphere) {
+    if (is_end && drawn.type == NodeType::hemisphere) {
         builder.set_cap(node, Cap::flat);
         form.fixed = true;
         form.sharpness = infinitely_sharp;
