@@ -246,6 +246,28 @@ std::string symmetric(const Case& tried, const Skin& skin) {
     return {};
 }
 
+/// Whether the nodes on the mirror are symmetric themselves, and no two of them at one place. Outlines that
+/// turn by just half of what would bring them onto themselves may do so to either side; dents that overlap
+/// are pressed one after the other.
+bool may_be_mirrored(const Document& document) {
+    const int axis = document.symmetry.axis;
+    return least_angle(document) > 0.2 &&
+           std::all_of(document.nodes.begin(), document.nodes.end(), [&](const Node& n) {
+               if (n.type == NodeType::negative || n.section != Section::round || n.scale[0] != n.scale[1])
+                   return false;
+               return std::abs(n.position[axis]) > 1e-9 * n.radius || (n.roll == 0 && !n.rotation);
+           });
+}
+
+/// A mirror that was drawn holds to the last bit.
+std::string as_drawn(const Case& tried, const Skin& skin) {
+    const Symmetry& symmetry = tried.document.symmetry;
+    if (symmetry.kind != Symmetry::Kind::mirror || tried.options.repair || !may_be_mirrored(tried.document))
+        return {};
+    const std::string difference = difference_of(reflected(skin.mesh, symmetry.axis), skin.mesh, 0);
+    return difference.empty() ? "" : "drawn: the mirror that was drawn does not hold, " + difference;
+}
+
 }  // namespace
 
 std::string failure_of(const Case& tried) {
@@ -262,6 +284,7 @@ std::string failure_of(const Case& tried) {
     if (failure.empty()) failure = repeatable(tried, *skin);
     if (failure.empty()) failure = scalable(tried, skin->mesh);
     if (failure.empty()) failure = symmetric(tried, *skin);
+    if (failure.empty()) failure = as_drawn(tried, *skin);
     if (failure.empty()) failure = mirrors(tried, *skin);
     return failure;
 }
