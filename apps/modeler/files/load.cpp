@@ -42,9 +42,6 @@ Result<ReadSkeleton> load(const std::string& path) {
     if (sound) return sound;
     auto loose = read_skeleton(path, {.validate = false});
     if (!loose || !can_be_edited(loose->document)) return fail(sound.error());
-    Warning warning{.message = sound.error().message};
-    if (sound.error().node) warning.nodes.push_back(*sound.error().node);
-    loose->warnings.push_back(warning);
     return loose;
 }
 

@@ -11,7 +11,7 @@
 namespace sinew::modeler {
 
 /// Reads a skeleton of any format. A document that validate() refuses is opened all the same if it can be
-/// edited: what is wrong is then among the warnings.
+/// edited: problems() says what is wrong with it, for as long as it is.
 Result<ReadSkeleton> load(const std::string& path);
 
 /// Fails where a tool could not even walk over it: parents in a circle, figures that are not finite, no

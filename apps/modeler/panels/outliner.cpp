@@ -20,7 +20,7 @@ Outliner::Outliner(Model& model, QWidget* parent) : QTreeView(parent), model_(mo
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     setDragDropMode(QAbstractItemView::InternalMove);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    header()->setStretchLastSection(true);
+    header()->setStretchLastSection(false);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     connect(&items_, &QAbstractItemModel::modelReset, this, [this] {
         if (model_.document().nodes.size() <= most_expanded) expandAll();
@@ -32,6 +32,12 @@ Outliner::Outliner(Model& model, QWidget* parent) : QTreeView(parent), model_(mo
     });
     expandAll();
     show_selection();
+}
+
+/// As wide as the panel at least, so that rows are marked to its end; wider where a tree is deep.
+void Outliner::resizeEvent(QResizeEvent* event) {
+    QTreeView::resizeEvent(event);
+    header()->setMinimumSectionSize(viewport()->width());
 }
 
 void Outliner::show_selection() {

@@ -13,6 +13,9 @@ class Outliner : public QTreeView {
     explicit Outliner(Model& model, QWidget* parent = nullptr);
     void rename_active();
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     void show_selection();
     void take_selection();

@@ -24,6 +24,12 @@ QIcon dot(const QColor& colour) {
     return pixmap;
 }
 
+/// Without the place in a file that may not be: the node is enough.
+std::string text_of(Error error) {
+    error.path.clear();
+    return error.text();
+}
+
 Selection nodes_with(const Document& document, const QVariantList& ids) {
     std::vector<std::int32_t> nodes;
     for (const QVariant& id : ids)
@@ -75,10 +81,10 @@ void Problems::refresh() {
     auto ids_of = [](const Error& error) {
         return error.node ? std::vector<std::int64_t>{*error.node} : std::vector<std::int64_t>{};
     };
-    for (const Error& error : found) add(Weight::error, error.text(), ids_of(error));
+    for (const Error& error : found) add(Weight::error, text_of(error), ids_of(error));
     // While the document is unsound the mesher says the same once more.
     if (mesh_ && mesh_->error && found.empty() && !model_.document().nodes.empty())
-        add(Weight::error, mesh_->error->text(), ids_of(*mesh_->error));
+        add(Weight::error, text_of(*mesh_->error), ids_of(*mesh_->error));
     for (const Warning& warning : reading_) add(Weight::warning, warning.message, warning.nodes);
     if (mesh_)
         for (const Warning& warning : mesh_->warnings) add(Weight::warning, warning.message, warning.nodes);

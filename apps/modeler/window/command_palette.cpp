@@ -91,8 +91,7 @@ void CommandPalette::open() {
     actions_.refresh();
     text_->clear();
     filter();
-    const int x = (window_.width() - sheet_width) / 2;
-    setGeometry(x, std::max(40, window_.height() / 8), sheet_width, most_rows * row_height + 68);
+    move((window_.width() - sheet_width) / 2, std::max(40, window_.height() / 8));
     show();
     raise();
     text_->setFocus();
@@ -107,6 +106,7 @@ void CommandPalette::filter() {
         if (!actions_.find(action->id)->isEnabled()) item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
     }
     list_->setCurrentRow(0);
+    resize(sheet_width, std::min(list_->count(), most_rows) * row_height + 68);
 }
 
 void CommandPalette::run() {

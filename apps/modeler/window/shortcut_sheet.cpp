@@ -51,7 +51,7 @@ QGridLayout* add_column(QHBoxLayout& columns) {
     auto* column = new QVBoxLayout;
     auto* grid = new QGridLayout;
     grid->setVerticalSpacing(3);
-    grid->setHorizontalSpacing(24);
+    grid->setHorizontalSpacing(14);
     column->addLayout(grid);
     column->addStretch();
     columns.addLayout(column);
@@ -65,14 +65,14 @@ ShortcutSheet::ShortcutSheet(QWidget* parent) : QDialog(parent) {
     setWindowTitle("Keys and mouse");
     auto* page = new QWidget;
     auto* columns = new QHBoxLayout(page);
-    columns->setSpacing(40);
+    columns->setSpacing(28);
     columns->setContentsMargins(16, 4, 16, 8);
     QGridLayout* first = add_column(*columns);
     first->addWidget(heading("Mouse"), 0, 0, 1, 2);
     for (const MouseUse& use : mouse_uses()) {
         auto* how = new QLabel(use.how);
         how->setWordWrap(true);
-        how->setMinimumWidth(250);
+        how->setMinimumWidth(210);
         how->setStyleSheet("color: #b9c0cb");
         const int row = first->rowCount();
         first->addWidget(new QLabel(use.what), row, 0, Qt::AlignLeft | Qt::AlignTop);

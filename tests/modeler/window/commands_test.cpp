@@ -198,8 +198,7 @@ TEST(Commands, history_goes_where_one_clicks) {
 TEST(Commands, problems_are_found_and_selected) {
     Robot robot;
     draw_a_limb(robot);
-    // Two roots at one place, joined to nothing, are fine; a cone in the middle is not to be had by keys, so
-    // the problem comes with a file.
+    // A cone in the middle of a limb is not to be had by keys: it comes with a file.
     const TemporaryFolder folder;
     const QString path = QString::fromStdString(folder.file("odd.sinew"));
     QFile file(path);
@@ -213,7 +212,7 @@ TEST(Commands, problems_are_found_and_selected) {
     robot.open(path);
     ASSERT_EQ(robot.document().nodes.size(), 3u);
     auto* dock = robot.window().findChild<QDockWidget*>("panel_problems");
-    EXPECT_TRUE(dock->windowTitle().startsWith("Problems ("));
+    EXPECT_EQ(dock->windowTitle(), "Problems (1)");
     dock->raise();
     auto* list = robot.window().findChild<Problems*>("problems");
     ASSERT_TRUE(
@@ -224,6 +223,7 @@ TEST(Commands, problems_are_found_and_selected) {
     robot.key(Qt::Key_1, Qt::ControlModifier);  // a sphere: all is well
     ASSERT_TRUE(robot.wait_for_mesh());
     EXPECT_FALSE(robot.window().meshes().mesh()->error);
+    EXPECT_EQ(dock->windowTitle(), "Problems");
 }
 
 TEST(Commands, a_name_is_given_in_the_outliner) {
