@@ -8,6 +8,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "actions/action.h"
+#include "actions/mouse.h"
 #include "window/main_window.h"
 #include "window/theme.h"
 
@@ -23,6 +25,7 @@ Without it a new one starts: a red root, mirrored at the green plane. Drag from 
 
   -h, --help      this text
   -V, --version   the version
+  --keys          all keys and what the mouse does, as Markdown
   F1 in the window shows all keys, Ctrl+K finds any command.
 
 Exit status: 0 done, 1 no display, 2 the call is wrong.
@@ -46,6 +49,13 @@ void quiet_start(QtMsgType type, const QMessageLogContext&, const QString& text)
         std::fprintf(stderr, "%s\n", qUtf8Printable(text));
 }
 
+int print_keys() {
+    std::string text = mouse_as_markdown();
+    text += '\n';
+    text += keys_as_markdown();
+    return std::fputs(text.c_str(), stdout) < 0;
+}
+
 void ask_for_opengl() {
     QSurfaceFormat format;
     format.setVersion(3, 3);
@@ -61,6 +71,7 @@ int run(int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (first == "-h" || first == "--help") return std::fputs(help, stdout) < 0;
     if (first == "-V" || first == "--version") return std::puts("sinew-modeler " SINEW_VERSION) < 0;
+    if (first == "--keys") return print_keys();
     if (argc > 2 || (first.starts_with('-') && first != "-")) {
         std::fprintf(stderr, "sinew-modeler: %s; see sinew-modeler --help\n",
                      argc > 2 ? "at most one file can be opened" : "there is no such option");

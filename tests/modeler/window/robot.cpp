@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "few_colours.h"
 #include "viewport/navigation.h"
 #include "viewport/viewport.h"
 
@@ -148,7 +149,10 @@ void Robot::screenshot(const std::string& name) {
     QObject::disconnect(connection);
     QApplication::processEvents();
     QDir().mkpath(SCREENSHOT_FOLDER);
-    window_->screen()->grabWindow(window_->winId()).save(path_of(name));
+    const QImage image = window_->screen()->grabWindow(window_->winId()).toImage();
+    // For the handbook as small as it can be.
+    name.starts_with("guide-") ? in_few_colours(image).save(path_of(name), "PNG", 0)
+                               : image.save(path_of(name));
 }
 
 void Robot::screenshot(QWidget& widget, const std::string& name) {

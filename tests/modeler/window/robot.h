@@ -50,7 +50,7 @@ class Robot {
     void save_as(const QString& path);
     void open(const QString& path);
 
-    /// A picture of the window in the build folder.
+    /// A picture of the window in the build folder; those called guide-... are for the handbook.
     void screenshot(const std::string& name);
     static void screenshot(QWidget& widget, const std::string& name);
 
