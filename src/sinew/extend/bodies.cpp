@@ -1,5 +1,6 @@
 #include "sinew/extend/bodies.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -71,7 +72,8 @@ std::int32_t sides_beside_edge(double radius, double to_edge) {
     return 16;
 }
 
-/// The end of a tube on a face: opposite its other end where it fits there, else in the middle.
+/// The end of a tube on a face: opposite its other end, or as near to that as it fits; in the middle where the
+/// other end is not before the face at all.
 std::int32_t add_plate(PlainBuilder& b, std::int32_t node, std::int32_t neighbour, const Face& face) {
     const double fits = std::min(face.half_x, face.half_y);
     const Node& other = b.drawn(neighbour);
@@ -91,7 +93,10 @@ std::int32_t add_plate(PlainBuilder& b, std::int32_t node, std::int32_t neighbou
     const Vec3 offset = b.position(neighbour) - face.middle;
     double x = offset.dot(face.frame.x), y = offset.dot(face.frame.y);
     const double reach = form.half.head<2>().maxCoeff();
-    if (std::abs(x) > face.half_x - reach || std::abs(y) > face.half_y - reach) x = y = 0;
+    if (std::abs(x) > face.half_x || std::abs(y) > face.half_y) x = y = 0;
+    const double room_x = face.half_x - reach / widest_tube, room_y = face.half_y - reach / widest_tube;
+    x = room_x > 0 ? std::clamp(x, -room_x, room_x) : 0;
+    y = room_y > 0 ? std::clamp(y, -room_y, room_y) : 0;
     if (form.section == Section::round)
         form.sides = sides_beside_edge(reach, std::min(face.half_x - std::abs(x), face.half_y - std::abs(y)));
     const Vec3 at = face.middle + x * face.frame.x + y * face.frame.y + plate_gap * fits * face.frame.z;
