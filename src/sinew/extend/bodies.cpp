@@ -14,6 +14,7 @@ constexpr double plate_gap =
     1e-7;  // of the face: how far a tube's end stands before the face, so that bones have a length
 constexpr double widest_beam = 0.98;  // of a face's smaller half extent
 constexpr double widest_tube = 0.9;   // the same for round tubes, which bulge between their vertices
+constexpr int pit_sides = 8;  // round a dent: with fewer, the surface beside it is pulled out of shape
 constexpr double bare =
     0.643;  // cosine of 50 degrees: an axis with no bone nearer than that gets one of its own
 
@@ -72,8 +73,8 @@ std::int32_t sides_beside_edge(double radius, double to_edge) {
     return 16;
 }
 
-/// The end of a tube on a face: opposite its other end, or as near to that as it fits; in the middle where the
-/// other end is not before the face at all.
+/// The end of a tube on a face: opposite its other end, or as near to that as it fits; in the middle where
+/// the other end is not before the face at all.
 std::int32_t add_plate(PlainBuilder& b, std::int32_t node, std::int32_t neighbour, const Face& face) {
     const double fits = std::min(face.half_x, face.half_y);
     const Node& other = b.drawn(neighbour);
@@ -296,12 +297,14 @@ void add_pit(PlainBuilder& b, std::int32_t node) {
     if (narrow(opening.half.x(), exit_of_node(b, parent, opening.x)) |
         narrow(opening.half.y(), exit_of_node(b, parent, opening.y)))
         b.warn(node, "this negative leaf is wider than its parent; its dent leaves a wall round it");
+    opening.sides = pit_sides;
     b.set_form(node, opening);
     b.set_pit(node, depth);
     const bool needs_body = !b.form(parent) || b.form(parent)->kind == Form::Kind::ring;
-    if (!needs_body || b.degree(parent) > 2) return;
+    if (!needs_body) return;
     Form blend = b.form(parent) ? *b.form(parent) : section_form(b, parent);
     blend.kind = Form::Kind::blend;
+    blend.sides = pit_sides;
     b.set_form(parent, blend);
     add_surface_bones(b, parent, b.body_frame(parent), b.radius(parent));
 }

@@ -50,7 +50,7 @@ struct Form {
     Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();  ///< unit, right-handed; z along the bone
     Vec3 half = Vec3::Ones();  ///< half extents along x, y, z (rings: z unused)
     bool fixed = false;        ///< ring: stands at right angles to z, whatever its bones do
-    std::int32_t sides = 4;    ///< ring: vertices that its path has at least
+    std::int32_t sides = 4;    ///< vertices that its paths have at least
     double sharpness = 0;  ///< of the crease on the ring; on a joint: of the creases where its tubes begin
 };
 

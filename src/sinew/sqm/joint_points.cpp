@@ -45,6 +45,7 @@ class Caster {
             *at++ = along(p_.vertices[v]);
         for (std::int32_t a = p_.arc_first[joint]; a < p_.arc_first[joint + 1]; ++a) {
             divide_arc(p_, p_.arcs[a], r_.pieces[a], at);
+            if (!points_.pits.empty() && r_.pieces[a] >= 4) gather_in_groove(p_.arcs[a], r_.pieces[a], at);
             for (std::int32_t i = 1; i < r_.pieces[a]; ++i, ++at) *at = along(*at);
         }
     }
@@ -57,6 +58,32 @@ class Caster {
             if (along > 0 && distance * along > points_.limit[slot]) distance = points_.limit[slot] / along;
         }
         return centre_ + distance * ray;
+    }
+
+    bool is_pit(std::int32_t cell) const {
+        const std::int32_t slot = cell - p_.cell_first[joint_];
+        return slot < n_.degree(joint_) && points_.kind[n_.slot_first[joint_] + slot] == SlotKind::pit;
+    }
+    /// Between two dents that overlap, an arc crosses the groove that they make: its points go from rim to
+    /// rim of that.
+    void gather_in_groove(const CellArc& arc, std::int32_t pieces, Vec3* inner) const {
+        if (!is_pit(arc.left) || !is_pit(arc.right)) return;
+        constexpr std::int32_t samples = 65;
+        std::array<Vec3, samples> ray;
+        divide_arc(p_, arc, samples + 1, ray.data());
+        std::int32_t first = -1, last = -1;
+        for (std::int32_t i = 0; i < samples; ++i) {
+            const double surface = exit_of_joint(n_, points_, joint_, centre_, ray[i], every_slot);
+            if (exit_of_joint(n_, points_, joint_, centre_, ray[i]) > (1 - 1e-6) * surface) continue;
+            if (first < 0) first = i;
+            last = i;
+        }
+        if (first < 1 || last > samples - 2) return;
+        for (std::int32_t i = 1; i < pieces; ++i) {
+            const double at = first - 1 + double(last - first + 2) * (i - 1) / (pieces - 2);
+            const auto low = std::min(static_cast<std::int32_t>(at), samples - 2);
+            inner[i - 1] = (ray[low] + (at - low) * (ray[low + 1] - ray[low])).normalized();
+        }
     }
 
     /// Vertices are the corners, exactly; points on arcs are evenly spread along the edges.

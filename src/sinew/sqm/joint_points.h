@@ -56,8 +56,10 @@ struct JointPoints {
 JointPoints make_joint_points(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
                               const Refinement& refinement);
 
+inline constexpr std::int32_t every_slot = -2;
+
 /// Where the ray from a joint's centre leaves its surface: the distance.
-/// @param without  a slot whose pit is left out
+/// @param without  a slot whose pit is left out; every_slot: all pits are
 double exit_of_joint(const Network& network, const JointPoints& points, std::int32_t joint,
                      const Vec3& centre, const Vec3& ray, std::int32_t without = -1);
 

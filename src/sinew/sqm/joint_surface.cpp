@@ -155,6 +155,7 @@ double exit_of_joint(const Network& network, const JointPoints& points, std::int
             distance = std::max(distance, points.beams[points.extra[slot]].exit(ray));
         if (distance == 0) distance = points.cone[slot].near;  // only pits and bare surface: the ball itself
     }
+    if (without == every_slot) return distance;
     for (std::int32_t slot = network.slot_first[joint]; slot < network.slot_first[joint + 1]; ++slot)
         if (points.kind[slot] == SlotKind::pit && points.extra[slot] >= 0 && slot != without)
             distance = points.pits[points.extra[slot]].press(centre, ray, distance);

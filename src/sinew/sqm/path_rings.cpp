@@ -18,6 +18,7 @@ class RingPlacer {
   public:
     RingPlacer(PathWork& work, bool keep_all) : w_(work), kept_(work.kept), heights_(work.heights) {
         kept_.assign(w_.count(), 1);
+        if (!w_.s.forms.empty() && !w_.closed) find_bores();
         if (!keep_all && !w_.closed) leave_out_nodes();
     }
 
@@ -36,6 +37,32 @@ class RingPlacer {
         const auto is_pit = [&](std::int32_t i) { return w_.s.cap[w_.node(i)] == Cap::pit; };
         return is_pit(bone) || is_pit(bone + 1);
     }
+
+    /// Direction of a bone as its rings see it. Where a path turns straight back into itself it bores a hole:
+    /// its rings go on as the same tube, inwards, and are not turned over.
+    Vec3 way(std::int32_t bone) const {
+        const Vec3 direction = w_.direction(bone);
+        return bored_.empty() || !bored_[bone] ? direction : Vec3(-direction);
+    }
+    void find_bores() {
+        bored_.clear();
+        bool inside = false, any = false;
+        for (std::int32_t b = 0; b < w_.bone_count(); ++b) {
+            if (b > 0 && w_.direction(b - 1).dot(w_.direction(b)) < -0.999) inside = !inside, any = true;
+            bored_.push_back(inside);
+        }
+        if (!any || (w_.near.any() && w_.far.any() && inside)) return bored_.clear();
+        const bool outer = w_.near.any() ? false : w_.far.any() ? inside : bored_[widest_bone()] != 0;
+        for (std::uint8_t& bore : bored_) bore = (bore != 0) != outer;
+    }
+    std::int32_t widest_bone() const {
+        const auto width = [&](std::int32_t b) { return w_.radius(b) + w_.radius(b + 1); };
+        std::int32_t widest = 0;
+        for (std::int32_t b = 1; b < w_.bone_count(); ++b)
+            if (width(b) > width(widest)) widest = b;
+        return widest;
+    }
+
     double edge(double radius) const { return w_.edge * radius; }
     bool is_fixed(std::int32_t i) const {
         return w_.form(i) && w_.form(i)->kind == Form::Kind::ring && w_.form(i)->fixed;
@@ -49,7 +76,7 @@ class RingPlacer {
     /// How far the ring at a node leans over its bones, on the inner side of the bend.
     double lean(std::int32_t i) const {
         if (is_fixed(i)) return 0;
-        const double cosine = std::clamp(w_.direction(i - 1).dot(w_.direction(i)), -1.0, 1.0);
+        const double cosine = std::clamp(way(i - 1).dot(way(i)), -1.0, 1.0);
         return w_.radius(i) * std::min(1.0, std::sqrt((1 - cosine) / (1 + cosine + 1e-12)));
     }
 
@@ -85,7 +112,7 @@ class RingPlacer {
     }
 
     void add_at_node(std::int32_t i) {
-        const Vec3 in = w_.direction(i - 1), out = w_.direction(i), sum = in + out;
+        const Vec3 in = way(i - 1), out = way(i), sum = in + out;
         Station& ring = add(w_.position(i), sum.norm() > 1e-6 ? sum.normalized() : in, w_.radius(i),
                             i % w_.bone_count(), 0);
         ring.node = w_.node(i);
@@ -163,8 +190,8 @@ class RingPlacer {
             const Vec3 centre = w_.position(leaf) + r * sine * outward;
             if (at_end && w_.near.any() && w_.count() == 2 && length + r * sine < w_.near.reach + 0.15 * r)
                 continue;
-            Station& ring = add(centre, at_end ? outward : Vec3(-outward), r * cosine, at_end ? leaf - 1 : 0,
-                                at_end ? 1 : 0);
+            Station& ring =
+                add(centre, way(at_end ? leaf - 1 : 0), r * cosine, at_end ? leaf - 1 : 0, at_end ? 1 : 0);
             ring.node = w_.node(leaf);
             ring.fit = RingFit::cap;
             if (!form) continue;
@@ -176,7 +203,7 @@ class RingPlacer {
     }
 
     void add_flat_end(std::int32_t leaf, bool at_end) {
-        const Vec3 along = w_.direction(at_end ? leaf - 1 : 0);
+        const Vec3 along = way(at_end ? leaf - 1 : 0);
         Station& ring = add(w_.position(leaf), along, w_.radius(leaf), at_end ? leaf - 1 : 0, at_end ? 1 : 0);
         ring.node = w_.node(leaf);
         if (const Form* form = w_.form(leaf)) take_form(ring, *form);
@@ -288,7 +315,7 @@ class RingPlacer {
         if (!shaped) offer_steep(bone, cone, low, high);
         std::sort(heights_.begin(), heights_.end());
         for (const double height : heights_) {
-            Station& ring = add(w_.position(bone) + height * cone.axis, cone.axis, cone.radius_at(height),
+            Station& ring = add(w_.position(bone) + height * cone.axis, way(bone), cone.radius_at(height),
                                 bone, height / cone.length);
             if (hold_near || hold_far) ring.fit = RingFit::held;
             if (shaped) blend(ring, bone, height / cone.length);
@@ -348,6 +375,7 @@ class RingPlacer {
 
     PathWork& w_;
     std::vector<std::uint8_t>& kept_;
+    std::vector<std::uint8_t> bored_;  // bone -> whether it bores; empty if none does
     std::vector<double>& heights_;
 };
 

@@ -96,8 +96,10 @@ bool needs_middle(const Polyhedra& p, std::int32_t joint, std::int32_t arc) {
 std::int32_t least_pieces(const Plain& skeleton, const Network& network, const Polyhedra& p,
                           std::int32_t joint, std::int32_t arc) {
     const Form* form = skeleton.form(network.joint_node[joint]);
-    const bool on_ball = form && form->kind == Form::Kind::ball;
-    return needs_middle(p, joint, arc) || (on_ball && arc_length(p, p.arcs[arc]) > longest_on_ball) ? 2 : 1;
+    const bool on_ball = form && (form->kind == Form::Kind::ball || form->sides > 4);
+    const double length = on_ball ? arc_length(p, p.arcs[arc]) : 0;
+    if (length > 2.3 * longest_on_ball) return 4;
+    return length > longest_on_ball || needs_middle(p, joint, arc) ? 2 : 1;
 }
 
 /// The count problem of one joint in terms of orbits under the symmetries that keep the joint in place.
