@@ -302,6 +302,8 @@ void add_pit(PlainBuilder& b, std::int32_t node) {
     b.set_pit(node, depth);
     const bool needs_body = !b.form(parent) || b.form(parent)->kind == Form::Kind::ring;
     if (!needs_body) return;
+    b.set_cap(parent, Cap::round);  // a leaf of which nothing is left but its dent ends nowhere
+    b.set_radius(parent, b.radius(parent));
     Form blend = b.form(parent) ? *b.form(parent) : section_form(b, parent);
     blend.kind = Form::Kind::blend;
     blend.sides = pit_sides;
