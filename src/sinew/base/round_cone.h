@@ -32,10 +32,10 @@ struct ConeFrom {
     /// and holds the centre, so there is one such point.
     double exit(const Vec3& ray) const {
         const double along = ray.dot(axis);
+        if (nested_ ? near >= far : along <= sine) return near;  // the ray leaves through the near ball
         const double across = std::sqrt(std::max(0.0, 1 - along * along));
-        if (nested_) return near >= far ? near : leave_far(along, across);
+        if (nested_) return leave_far(along, across);
         const double rise = along * cosine - across * sine;  // height on the slanted side, a unit of the ray
-        if (rise <= 0) return near;
         const double t = near / (across * cosine + along * sine);
         if (t > 0 && t * rise <= length * cosine) return t;
         return leave_far(along, across);

@@ -79,26 +79,33 @@ class Repair {
         warn("bones of no length were merged", count, std::move(nodes));
     }
 
+    /// Of bones between the same two nodes the first stays; those from a node to itself vanish.
     void drop_duplicates() {
-        std::vector<std::array<std::int32_t, 3>> order;
-        for (std::int32_t i = 0; i < std::ssize(bones_); ++i) {
-            for (std::int32_t& end : bones_[i]) end = root(end);
-            const auto [low, high] = std::minmax(bones_[i][0], bones_[i][1]);
-            if (low != high) order.push_back({low, high, i});
-        }
-        std::sort(order.begin(), order.end());
-        const auto first = order.begin();
-        const auto last = std::unique(order.begin(), order.end(),
-                                      [](auto& a, auto& b) { return a[0] == b[0] && a[1] == b[1]; });
-        warn("duplicate bones were dropped", order.end() - last);
-        std::vector<std::int32_t> kept;
-        for (auto it = first; it != last; ++it) kept.push_back((*it)[2]);
-        std::sort(kept.begin(), kept.end());
-        std::vector<Bone> bones;
-        std::vector<std::int32_t> source;
-        for (const std::int32_t i : kept) bones.push_back(bones_[i]), source.push_back(source_[i]);
-        bones_ = std::move(bones);
-        source_ = std::move(source);
+        for (Bone& bone : bones_)
+            for (std::int32_t& end : bone) end = root(end);
+        const auto count = static_cast<std::int32_t>(document_.nodes.size());
+        const Adjacency around = adjacency(count, bones_);
+        std::vector<std::int32_t> last(
+            count, -1);  // node -> the neighbour of a lower index that was seen with it last
+        std::vector<std::uint8_t> drop(bones_.size(), 0);
+        std::int64_t repeated = 0;
+        for (std::int32_t low = 0; low < count; ++low)
+            for (const std::int32_t b : around.bones(low)) {
+                const std::int32_t high = bones_[b][0] + bones_[b][1] - low;
+                if (high < low) continue;
+                drop[b] = high == low || last[high] == low;
+                repeated += high != low && last[high] == low;
+                last[high] = low;
+            }
+        keep_bones(drop);
+        warn("duplicate bones were dropped", repeated);
+    }
+    void keep_bones(const std::vector<std::uint8_t>& drop) {
+        std::size_t kept = 0;
+        for (std::size_t b = 0; b < bones_.size(); ++b)
+            if (!drop[b]) bones_[kept] = bones_[b], source_[kept++] = source_[b];
+        bones_.resize(kept);
+        source_.resize(kept);
     }
 
     bool too_close(std::int32_t a, std::int32_t b, bool crowded) const {
@@ -192,11 +199,7 @@ class Repair {
             for (const std::int32_t n : ends)
                 if (side_[n][0] >= 0) queue.emplace(crowding(n), n);
         }
-        std::size_t kept = 0;
-        for (std::size_t b = 0; b < bones_.size(); ++b)
-            if (!gone_[b]) bones_[kept] = bones_[b], source_[kept++] = source_[b];
-        bones_.resize(kept);
-        source_.resize(kept);
+        keep_bones(gone_);
         warn("nodes closer than a tube's radius were thinned out", removed, std::move(nodes));
     }
     std::int32_t other(std::int32_t i, int k) const {

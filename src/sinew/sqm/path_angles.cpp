@@ -57,8 +57,7 @@ class AngleFinder {
                       std::vector<double>& angles) const {
         angles.clear();
         const Vec3 y = tangent.cross(x);
-        for (const std::uint32_t i : side.ring)
-            angles.push_back(angle_round(w_.points.position[i] - side.centre, x, y));
+        for (const Vec3& point : side.points) angles.push_back(angle_round(point, x, y));
         unwrap(angles);
     }
     bool is_box(const JointSide& side) const {
@@ -175,10 +174,10 @@ class AngleFinder {
         Stations& out = w_.out;
         out.far_shift.push_back(shift_);
         out.corner.push_back(corner_);
-        for (std::int32_t k = 0; k < w_.sides; ++k) {
+        for (std::int32_t k = 0, j = shift_; k < w_.sides; ++k, ++j) {
+            if (j == w_.sides) j = 0;
             out.angle.push_back(column_angle(k));
             out.near_uneven.push_back(w_.near.any() ? near_angles_[k] - column_angle(k) : 0);
-            const std::int32_t j = (k + shift_) % w_.sides;
             out.far_uneven.push_back(w_.far.any() ? far_angles_[j] - (far_phase_ + step_ * j) : 0);
         }
     }
@@ -214,11 +213,11 @@ class Follower {
         if (!pole && !ball && is_near(side, is_far ? w_.rings.back() : w_.rings.front())) return 0;
         const std::size_t angles = w_.out.angle.size() - w_.sides;
         double worst = 0;
-        for (std::int32_t k = 0; k < w_.sides; ++k) {
-            const std::int32_t j = is_far ? (k + w_.out.far_shift.back()) % w_.sides : k;
+        for (std::int32_t k = 0, j = is_far ? w_.out.far_shift.back() : 0; k < w_.sides; ++k, ++j) {
+            if (j == w_.sides) j = 0;
             const Vec3 target =
                 pole ? w_.position(is_far ? 0 : w_.count() - 1) : on_ring(is_far, w_.out.angle[angles + k]);
-            const Vec3 middle = 0.5 * (w_.points.position[side.ring[j]] + target) - side.centre;
+            const Vec3 middle = 0.5 * (side.points[j] + (target - side.centre));
             const double distance = middle.norm();
             if (distance > 0)
                 worst = std::max(

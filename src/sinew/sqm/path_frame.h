@@ -52,9 +52,9 @@ inline void unwrap(std::span<double> angles) {
 
 /// The angle g for which g + 2 pi k / n is nearest to the unwrapped angles.
 inline double even_phase(std::span<const double> angles) {
-    const double n = static_cast<double>(angles.size());
+    const double n = static_cast<double>(angles.size()), step = 2 * M_PI / n;
     double sum = 0;
-    for (std::size_t k = 0; k < angles.size(); ++k) sum += angles[k] - 2 * M_PI * static_cast<double>(k) / n;
+    for (std::size_t k = 0; k < angles.size(); ++k) sum += angles[k] - step * static_cast<double>(k);
     return sum / n;
 }
 

@@ -13,9 +13,11 @@ struct JointSide {
     std::int32_t joint = -1, cell = -1;
     Vec3 centre = Vec3::Zero();
     std::vector<std::uint32_t> ring;  ///< its points, counter-clockwise in the path's sense
+    std::vector<Vec3> points;         ///< their places, from the joint's centre
     double reach = 0;                 ///< how far they go along the bone
     double farthest = 0;              ///< and from the joint's centre
     double widest = 1;                ///< cosine of the greatest angle between one of them and the bone
+    double narrowest = -1;            ///< and of the least one
 
     bool any() const { return joint >= 0; }
 };

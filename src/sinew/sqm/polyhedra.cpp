@@ -162,6 +162,10 @@ void divide_arc(const Polyhedra& p, const CellArc& arc, std::int32_t pieces, Vec
         return;
     }
     const Vec3 middle = middle_of(p, arc);
+    if (pieces == 2) {
+        *points = middle;
+        return;
+    }
     const GreatArc first(from, middle), second(middle, to);
     for (std::int32_t i = 1; i < pieces; ++i)
         *points++ = 2 * i < pieces ? first.at(2.0 * i / pieces) : second.at(2.0 * i / pieces - 1);

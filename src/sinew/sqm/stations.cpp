@@ -12,24 +12,25 @@ namespace {
 
 constexpr std::int32_t chunk_size = 256;  // paths that one task takes
 
-/// Cosine of the angle between a unit vector and the nearest point of the arc between two others' directions.
-double nearest_cosine(const Vec3& axis, const Vec3& from, const Vec3& to) {
-    const Vec3 normal = from.cross(to);
-    const bool over = normal.cross(from).dot(axis) > 0 && to.cross(normal).dot(axis) > 0;
-    if (!over) return std::max(from.dot(axis) / from.norm(), to.dot(axis) / to.norm());
-    const double height = normal.dot(axis) / normal.norm();
-    return std::sqrt(std::max(0.0, 1 - height * height));
+/// Cosine of the angle between a unit vector and the arc between two others' directions, if the nearest point
+/// is not one of its ends; else -1.
+double cosine_to_inside(const Vec3& axis, const Vec3& from, const Vec3& to) {
+    const double aa = from.squaredNorm(), bb = to.squaredNorm(), ab = from.dot(to);
+    const double a = from.dot(axis), b = to.dot(axis);
+    if (!(b * aa > a * ab && a * bb > b * ab)) return -1;
+    const double square = (a * a * bb + b * b * aa - 2 * ab * a * b) / (aa * bb - ab * ab);
+    return std::sqrt(std::clamp(square, 0.0, 1.0));  // length of what the axis throws on the plane of the arc
 }
 
 /// How far along its bone the side of a cone needs to be inside the directions of its cell, so that it cannot
 /// run into the neighbours' tubes: where a ring is seen under the least angle between the bone and the cell's
 /// border. Not further than the joint may reach; 0 where that is not enough.
-double height_in_cell(const PathWork& w, const JointSide& side, const ConeFrom& cone, double limit) {
-    double cosine = -1;
-    for (std::size_t k = 0; k < side.ring.size(); ++k) {
-        const Vec3 a = w.points.position[side.ring[k]] - side.centre;
-        const Vec3 b = w.points.position[side.ring[(k + 1) % side.ring.size()]] - side.centre;
-        cosine = std::max(cosine, nearest_cosine(cone.axis, a, b));
+double height_in_cell(const JointSide& side, const ConeFrom& cone, double limit) {
+    double cosine = side.narrowest;
+    const Vec3* before = &side.points.back();
+    for (const Vec3& point : side.points) {
+        cosine = std::max(cosine, cosine_to_inside(cone.axis, *before, point));
+        before = &point;
     }
     if (cosine <= 0 || cone.nested()) return 0;
     const double tangent = std::sqrt(std::max(0.0, 1 - cosine * cosine)) / cosine;
@@ -40,27 +41,29 @@ double height_in_cell(const PathWork& w, const JointSide& side, const ConeFrom& 
 
 void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
     side.ring.clear();
+    side.points.clear();
     side.joint = end.joint;
     side.reach = side.farthest = 0;
     side.widest = 1;
+    side.narrowest = -1;
     if (!end.at_joint()) return;
     side.cell = w.p.cell_first[end.joint] + end.slot;
     append_ring(w.p, w.r, w.points, end.joint, side.cell, side.ring);
     if (is_far) std::reverse(side.ring.begin(), side.ring.end());
     side.centre = w.s.position[w.n.joint_node[end.joint]];
     const std::int32_t slot = w.n.slot_first[end.joint] + end.slot;
-    const Vec3& axis = w.points.cone[slot].axis;
+    const ConeFrom& cone = w.points.cone[slot];
     for (const std::uint32_t i : side.ring) {
-        const Vec3 from = w.points.position[i] - side.centre;
-        const double distance = from.norm(), along = from.dot(axis);
+        const Vec3& point = side.points.emplace_back(w.points.position[i] - side.centre);
+        const double distance = point.norm(), along = point.dot(cone.axis), cosine = along / distance;
         side.reach = std::max(side.reach, along);
         side.farthest = std::max(side.farthest, distance);
-        side.widest = std::min(side.widest, along / distance);
+        side.widest = std::min(side.widest, cosine);
+        side.narrowest = std::max(side.narrowest, cosine);
     }
     if (w.points.body[end.joint] || w.points.kind[slot] != SlotKind::cone) return;
-    const ConeFrom& cone = w.points.cone[slot];
     const double limit = std::min(cone.length - 0.25 * cone.far, w.points.limit[slot]);
-    side.reach = std::max(side.reach, height_in_cell(w, side, cone, limit));
+    side.reach = std::max(side.reach, height_in_cell(side, cone, limit));
 }
 
 /// @param least_rings  rings that the path must have, so that no two paths share an edge
