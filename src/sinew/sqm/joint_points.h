@@ -50,7 +50,8 @@ struct JointPoints {
     std::vector<std::int32_t> extra;  ///< index in beams or pits, by kind
     std::vector<BeamFrom> beams;
     std::vector<PitShape> pits;
-    std::vector<const Form*> body;  ///< joint -> its ball or box; null: round cones
+    std::vector<const Form*> body;         ///< joint -> its ball or box; null: round cones
+    std::vector<std::uint8_t> only_cones;  ///< joint -> it has no body, and all its slots add cones
 };
 
 JointPoints make_joint_points(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,

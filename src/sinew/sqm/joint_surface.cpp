@@ -143,6 +143,12 @@ double PitShape::press(const Vec3& centre, const Vec3& ray, double distance) con
 
 double exit_of_joint(const Network& network, const JointPoints& points, std::int32_t joint,
                      const Vec3& centre, const Vec3& ray, std::int32_t without) {
+    if (points.only_cones[joint]) {
+        double distance = 0;
+        for (std::int32_t slot = network.slot_first[joint]; slot < network.slot_first[joint + 1]; ++slot)
+            distance = std::max(distance, points.cone[slot].exit(ray));
+        return distance;
+    }
     const Form* body = points.body[joint];
     const bool solid = body && body->kind != Form::Kind::blend;
     double distance = !solid                          ? 0
@@ -169,6 +175,7 @@ void find_joint_surfaces(const Plain& s, const Network& n, JointPoints& points) 
     points.limit.assign(slots, unlimited);
     points.extra.assign(slots, -1);
     points.body.resize(n.joint_count());
+    points.only_cones.assign(n.joint_count(), 1);
     tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n.joint_count(), 64), [&](const auto& range) {
         for (std::int32_t j = range.begin(); j < range.end(); ++j) {
             const std::int32_t node = n.joint_node[j];
@@ -177,6 +184,7 @@ void find_joint_surfaces(const Plain& s, const Network& n, JointPoints& points) 
                 const std::int32_t next = next_node(n, slot);
                 points.cone[slot] = {s.position[node], s.radius[node], s.position[next], s.radius[next]};
                 if (!s.forms.empty()) points.kind[slot] = kind_of(s, n, node, slot);
+                if (points.body[j] || points.kind[slot] != SlotKind::cone) points.only_cones[j] = 0;
             }
         }
     });
