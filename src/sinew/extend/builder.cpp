@@ -18,6 +18,7 @@ PlainBuilder::PlainBuilder(const Document& document, const CleanGraph& graph, Wa
       position_(graph.position),
       attached_(graph.bones) {
     part_coincident();
+    plain_.position.reserve(position_.size());
     plain_.position = position_;
     plain_.radius = graph.radius;
     plain_.source_node = graph.source_node;

@@ -85,8 +85,7 @@ class Repair {
             for (std::int32_t& end : bone) end = root(end);
         const auto count = static_cast<std::int32_t>(document_.nodes.size());
         const Adjacency around = adjacency(count, bones_);
-        std::vector<std::int32_t> last(
-            count, -1);  // node -> the neighbour of a lower index that was seen with it last
+        std::vector<std::int32_t> last(count, -1);  // node -> the lower neighbour that was looked at last
         std::vector<std::uint8_t> drop(bones_.size(), 0);
         std::int64_t repeated = 0;
         for (std::int32_t low = 0; low < count; ++low)
@@ -254,6 +253,10 @@ class Repair {
 
     CleanGraph compact() {
         CleanGraph clean;
+        clean.position.reserve(document_.nodes.size());
+        clean.radius.reserve(document_.nodes.size());
+        clean.source_node.reserve(document_.nodes.size());
+        clean.bones.reserve(bones_.size());
         std::vector<std::int32_t> index(document_.nodes.size(), -1);
         for (std::int32_t i = 0; i < std::ssize(document_.nodes); ++i) {
             if (merged_[i] != i) continue;

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "sinew/base/large_array.h"
-
 namespace sinew::sqm {
 namespace {
 
@@ -61,9 +59,9 @@ class Builder {
             return fail(ErrorKind::input, "the mesh would have more than 4,000 million vertices",
                         "skin it in parts");
         QuadMesh& mesh = out_.mesh;
-        resize_large<Vec3f>(mesh.positions, vertices_, Vec3f::Zero());
-        resize_large(mesh.corners, corner_total_);
-        resize_large(mesh.face_offsets, face_total_ + 1);
+        mesh.positions.resize(vertices_);
+        mesh.corners.resize(corner_total_);
+        mesh.face_offsets.resize(face_total_ + 1);
         mesh.face_offsets[face_total_] = static_cast<std::uint32_t>(corner_total_);
         tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n_.path_count(), 128), [&](const auto& range) {
             std::vector<std::uint32_t> a, b;
@@ -87,6 +85,12 @@ class Builder {
     }
 
     bool lay_out() {
+        const std::size_t paths = n_.path_count();
+        out_.path_vertex.reserve(paths + 1);
+        out_.path_pole.reserve(paths);
+        out_.path_face.reserve(paths + 1);
+        first_face_.reserve(paths + 1);
+        first_corner_.reserve(paths + 1);
         vertices_ = d_.points.position.size();
         out_.path_vertex.push_back(static_cast<std::uint32_t>(vertices_));
         first_face_ = {0};

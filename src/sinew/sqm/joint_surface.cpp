@@ -171,9 +171,9 @@ double exit_of_joint(const Network& network, const JointPoints& points, std::int
 void find_joint_surfaces(const Plain& s, const Network& n, JointPoints& points) {
     const std::size_t slots = n.slot_path.size();
     points.cone.resize(slots);
-    points.kind.assign(slots, SlotKind::cone);
-    points.limit.assign(slots, unlimited);
-    points.extra.assign(slots, -1);
+    points.kind.resize(slots, SlotKind::cone);
+    points.limit.resize(slots, unlimited);
+    points.extra.resize(slots, -1);
     points.body.resize(n.joint_count());
     points.only_cones.assign(n.joint_count(), 1);
     tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n.joint_count(), 64), [&](const auto& range) {

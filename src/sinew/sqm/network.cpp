@@ -73,12 +73,24 @@ class PathWalk {
     std::vector<std::int32_t> joint_of_;
 };
 
+/// Room for as many joints and paths as there may be: a tree of twigs has a path a bone.
+void reserve(Network& n, std::size_t nodes, std::size_t bones) {
+    n.joint_node.reserve(nodes);
+    n.slot_first.reserve(nodes + 1);
+    n.path_first.reserve(bones + 1);
+    n.path_nodes.reserve(2 * bones);
+    n.path_bones.reserve(2 * bones);
+    n.path_end.reserve(bones);
+    n.path_closed.reserve(bones);
+}
+
 }  // namespace
 
 Network find_network(const Plain& skeleton) {
     Network network;
     const std::int32_t nodes = skeleton.node_count();
     const Adjacency adjacent = adjacency(nodes, skeleton.bones);
+    reserve(network, nodes, skeleton.bones.size());
     network.slot_first = {0};
     for (std::int32_t i = 0; i < nodes; ++i) {
         const std::int32_t degree = adjacent.degree(i);

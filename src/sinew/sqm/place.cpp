@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sinew/base/large_array.h"
 #include "sinew/base/portable_math.h"
 #include "sinew/sqm/features.h"
 #include "sinew/sqm/fit.h"
@@ -22,9 +21,9 @@ class Placer {
 
     void run() {
         QuadMesh& mesh = out_.mesh;
-        resize_large(mesh.vertex_node, mesh.vertex_count());
-        resize_large(mesh.vertex_bone, mesh.vertex_count(), -1);
-        resize_large(mesh.vertex_along, mesh.vertex_count());
+        mesh.vertex_node.resize(mesh.vertex_count());
+        mesh.vertex_bone.resize(mesh.vertex_count(), -1);
+        mesh.vertex_along.resize(mesh.vertex_count());
         joints();
         tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n_.path_count(), 128), [&](const auto& range) {
             for (std::int32_t p = range.begin(); p < range.end(); ++p) path(p);

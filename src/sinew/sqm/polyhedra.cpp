@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "sinew/base/large_array.h"
 #include "sinew/base/portable_math.h"
 #include "sinew/sqm/chunks.h"
 
@@ -120,12 +119,12 @@ void append(const Polyhedra& from, Polyhedra& to) {
 void reserve(Polyhedra& p, const Network& n) {
     const std::size_t joints = n.joint_count(), cells = n.slot_path.size(), over = cells - 2 * joints;
     for (std::vector<std::int32_t>* array : {&p.cell_first, &p.vertex_first, &p.arc_first})
-        reserve_large(*array, joints + 1);
-    reserve_large(p.sites, cells);
-    reserve_large(p.side_first, cells + 1);
-    reserve_large(p.vertices, 2 * over);
-    reserve_large(p.arcs, 3 * over);
-    reserve_large(p.sides, 6 * over);
+        array->reserve(joints + 1);
+    p.sites.reserve(cells);
+    p.side_first.reserve(cells + 1);
+    p.vertices.reserve(2 * over);
+    p.arcs.reserve(3 * over);
+    p.sides.reserve(6 * over);
 }
 
 }  // namespace

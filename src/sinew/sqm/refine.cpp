@@ -212,7 +212,7 @@ class Refiner {
     Refiner(const Plain& skeleton, const Network& n, const Polyhedra& p, const Images& images,
             const RefineOptions& options)
         : skeleton_(skeleton), n_(n), p_(p), images_(images), options_(options), regions_(find_regions(n)) {
-        out_.pieces.assign(p.arcs.size(), 0);
+        out_.pieces.resize(p.arcs.size());
         out_.path_sides.assign(n.path_count(), unknown);
         if (options.sides > 0) std::fill(regions_.core.begin(), regions_.core.end(), 1);
     }

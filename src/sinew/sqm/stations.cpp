@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sinew/base/large_array.h"
 #include "sinew/base/portable_math.h"
 #include "sinew/sqm/chunks.h"
 #include "sinew/sqm/path_work.h"
@@ -119,11 +118,11 @@ void reserve(Stations& all, const Stations& part, const Network& n, const Refine
     std::size_t columns = 0;
     for (const std::int32_t sides : r.path_sides) columns += sides;
     const double paths = n.path_count(), share = static_cast<double>(part.far_shift.size()) / paths;
-    reserve_large(all.stations, static_cast<std::size_t>(1.1 * part.stations.size() / share) + 64);
+    all.stations.reserve(static_cast<std::size_t>(1.1 * part.stations.size() / share) + 64);
     for (std::vector<double>* array : {&all.angle, &all.near_uneven, &all.far_uneven})
-        reserve_large(*array, columns);
+        array->reserve(columns);
     for (std::vector<std::int32_t>* array : {&all.first, &all.angle_first, &all.far_shift, &all.corner})
-        reserve_large(*array, n.path_count() + 1);
+        array->reserve(n.path_count() + 1);
 }
 
 void append_part(Stations& to, const Stations& from) {
