@@ -10,7 +10,7 @@
 namespace sinew::cli {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* check_examples = R"(Examples:
   sinew check hand.obj
   sinew check hand.obj --skeleton hand.sinew      beside it: irregular vertices, distance from the round cones
   sinew check neuron.swc                          what is wrong with a skeleton, what skinning would repair
@@ -62,7 +62,7 @@ Result<Outcome> CheckCommand::work(Session& session, const Job& job) const {
 void add_check(CLI::App& program, Session& session) {
     auto command = std::make_shared<CheckCommand>();
     CLI::App& app = *program.add_subcommand("check", "Tell whether a mesh or a skeleton is sound");
-    app.footer(examples);
+    app.footer(check_examples);
     add_inputs(app, command->files, "Meshes or skeletons");
     app.add_option("--skeleton", command->skeleton, "The skeleton that the mesh was made of")
         ->type_name("FILE");

@@ -8,7 +8,7 @@
 namespace sinew::cli {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* convert_examples = R"(Examples:
   sinew convert neuron.swc -o neuron.sinew       skeleton to skeleton
   sinew convert hand.obj -o hand.glb             mesh to mesh
   sinew convert rigs/*.glb -o bones/ --to graph  the joints of many files
@@ -79,7 +79,7 @@ Result<Outcome> ConvertCommand::work(Session& session, const Job& job) const {
 void add_convert(CLI::App& program, Session& session) {
     auto command = std::make_shared<ConvertCommand>();
     CLI::App& app = *program.add_subcommand("convert", "Write a skeleton or a mesh in another format");
-    app.footer(examples);
+    app.footer(convert_examples);
     add_inputs(app, command->files, "Skeletons or meshes");
     add_output(app, command->files, "The same in another format");
     app.add_flag("--ascii", command->ascii, "PLY as text");

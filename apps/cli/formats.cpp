@@ -5,7 +5,7 @@
 namespace sinew::cli {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* formats_examples = R"(Examples:
   sinew formats
   sinew formats --json | python3 -m json.tool)";
 
@@ -33,7 +33,7 @@ Json formats_json() {
 
 void add_formats(CLI::App& program, Session& session) {
     CLI::App& app = *program.add_subcommand("formats", "List the file formats and what each can carry");
-    app.footer(examples);
+    app.footer(formats_examples);
     app.add_flag("--json", session.json, "Print the list as JSON");
     app.callback([&session] { session.put(session.json ? line_of(formats_json()) + "\n" : formats_text()); });
 }

@@ -11,7 +11,7 @@
 namespace sinew::cli {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* grow_examples = R"(Examples:
   sinew grow tree.lsys -o tree.sinew
   sinew grow tree.lsys -o tree.sinew --steps 9 --seed 4 --set angle=25
   sinew grow tree.lsys -o - --to sinew | sinew skin - --from sinew -o tree.glb --subdivide 1
@@ -64,7 +64,7 @@ std::string wrong_constant(const std::string& text) {
 void add_grow(CLI::App& program, Session& session) {
     auto command = std::make_shared<GrowCommand>();
     CLI::App& app = *program.add_subcommand("grow", "Grow a skeleton from an L-system");
-    app.footer(examples);
+    app.footer(grow_examples);
     app.add_option("IN", command->files.inputs, "L-systems (.lsys); - is standard input")
         ->required()
         ->type_name("FILE");

@@ -13,7 +13,7 @@
 namespace sinew::cli {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* render_examples = R"(Examples:
   sinew render hand.obj -o hand.png --wire
   sinew render hand.sinew -o hand.png --skeleton --view front    skinned, with the bones seen inside
   sinew render hand.obj -o hand.png --bones hand.sinew           a mesh and the skeleton it came from
@@ -221,7 +221,7 @@ void add_render(CLI::App& program, Session& session) {
     auto command = std::make_shared<RenderCommand>();
     CLI::App& app =
         *program.add_subcommand("render", "Draw a mesh, or a skeleton and its mesh, into a picture");
-    app.footer(examples);
+    app.footer(render_examples);
     add_inputs(app, command->files, "Meshes or skeletons");
     app.add_option("-o,--output", command->files.output,
                    "The picture, PNG; - is standard output; a folder for several inputs")

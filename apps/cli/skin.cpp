@@ -14,7 +14,7 @@
 namespace sinew::cli {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* skin_examples = R"(Examples:
   sinew skin hand.sinew -o hand.obj                  the control mesh
   sinew skin hand.sinew -o hand.glb --subdivide 2    smooth: twice subdivided
   sinew skin neurons/*.swc -o meshes/ --to ply       a folder of measured skeletons
@@ -100,7 +100,7 @@ std::string wrong_sides(const std::string& text) {
 void add_skin(CLI::App& program, Session& session) {
     auto command = std::make_shared<SkinCommand>();
     CLI::App& app = *program.add_subcommand("skin", "Make a mesh of a skeleton");
-    app.footer(examples);
+    app.footer(skin_examples);
     add_inputs(app, command->files, "Skeletons");
     add_output(app, command->files, "The mesh");
     app.add_option("--subdivide", command->levels, "Subdivide the mesh so often")

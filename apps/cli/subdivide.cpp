@@ -10,7 +10,7 @@
 namespace sinew::cli {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* subdivide_examples = R"(Examples:
   sinew subdivide hand.obj -o smooth.obj --levels 2
   sinew subdivide hand.obj -o smooth.ply --levels 1 --limit    vertices on the surface that subdivision ends at
   sinew subdivide a.obj b.obj -o smooth/ --levels 3
@@ -43,7 +43,7 @@ Result<Outcome> SubdivideCommand::work(Session& session, const Job& job) const {
 void add_subdivide(CLI::App& program, Session& session) {
     auto command = std::make_shared<SubdivideCommand>();
     CLI::App& app = *program.add_subcommand("subdivide", "Make a mesh finer and smooth");
-    app.footer(examples);
+    app.footer(subdivide_examples);
     add_inputs(app, command->files, "Meshes");
     add_output(app, command->files, "The finer mesh");
     app.add_option("--levels", command->options.levels, "Subdivide so often (1)")

@@ -91,7 +91,7 @@ TEST(GraphFormat, EveryTruncatedFileIsReadOrRefusedWithItsLine) {
     }
 }
 
-double any_number() {
+double any_coordinate() {
     return std::ldexp(*rc::gen::inRange(-100000, 100000) / 99991.0, *rc::gen::inRange(-60, 60));
 }
 
@@ -101,8 +101,8 @@ RC_GTEST_PROP(GraphFormatProperty, AnyGraphReadsBackToTheLastBit, ()) {
     for (int i = 0; i < count; ++i)
         document.nodes.push_back({.id = i,
                                   .parent = *rc::gen::inRange(-1, i),
-                                  .position = {any_number(), any_number(), any_number()},
-                                  .radius = std::abs(any_number()) + 1e-9});
+                                  .position = {any_coordinate(), any_coordinate(), any_coordinate()},
+                                  .radius = std::abs(any_coordinate()) + 1e-9});
     const Document back = parse_graph(print_graph(document).value().text).value().document;
     for (int i = 0; i < count; ++i) {
         RC_ASSERT(back.nodes[i].position == document.nodes[i].position);

@@ -10,7 +10,7 @@ namespace sinew::modeler {
 namespace {
 
 /// A limb with two branches.
-Document limbs() {
+Document body_with_limbs() {
     Document document;
     for (const auto& [parent, place] : {std::pair{-1, Vec3(0, 0, 0)},
                                         {0, Vec3(0, 0, 2)},
@@ -37,16 +37,16 @@ QuadMesh skinned(const Document& document, int level) {
 TEST(Pipeline, makes_what_skin_and_subdivide_make) {
     Pipeline pipeline;
     for (const int level : {0, 1, 2, 1}) {
-        const LiveMesh made = pipeline.run(limbs(), {.level = level});
+        const LiveMesh made = pipeline.run(body_with_limbs(), {.level = level});
         ASSERT_TRUE(made.mesh) << made.error->text();
-        expect_same_mesh(*made.mesh, skinned(limbs(), level));
+        expect_same_mesh(*made.mesh, skinned(body_with_limbs(), level));
     }
 }
 
 TEST(Pipeline, what_it_remembers_changes_no_byte) {
     // Small steps keep the topology, large ones do not, and a node more never does.
     Pipeline pipeline;
-    Document document = limbs();
+    Document document = body_with_limbs();
     for (int step = 0; step < 12; ++step) {
         const double by = step % 3 == 2 ? 1.5 : 0.01;
         document = translate(document, std::vector<std::int32_t>{2}, Vec3(0, by, 0));
@@ -60,7 +60,7 @@ TEST(Pipeline, what_it_remembers_changes_no_byte) {
 
 TEST(Pipeline, creases_and_circles_move_with_their_nodes) {
     Pipeline pipeline;
-    Document document = limbs();
+    Document document = body_with_limbs();
     document.nodes[4].type = NodeType::hemisphere;
     document.nodes[3].type = NodeType::cube;
     for (int step = 0; step < 3; ++step) {
@@ -72,15 +72,15 @@ TEST(Pipeline, creases_and_circles_move_with_their_nodes) {
 }
 
 TEST(Pipeline, buffers_are_those_of_the_mesh) {
-    const LiveMesh made = Pipeline().run(limbs(), {.level = 1});
+    const LiveMesh made = Pipeline().run(body_with_limbs(), {.level = 1});
     ASSERT_TRUE(made.buffers);
     EXPECT_EQ(made.buffers->vertices.size(), made.mesh->corners.size());
     EXPECT_FALSE(made.validation || made.measures);
-    EXPECT_FALSE(Pipeline().run(limbs(), {.level = 1}, {}, false).buffers);
+    EXPECT_FALSE(Pipeline().run(body_with_limbs(), {.level = 1}, {}, false).buffers);
 }
 
 TEST(Pipeline, says_what_is_wrong) {
-    Document document = limbs();
+    Document document = body_with_limbs();
     document.nodes[1].type = NodeType::cone;
     const LiveMesh made = Pipeline().run(document, {});
     ASSERT_TRUE(made.error);
@@ -90,13 +90,13 @@ TEST(Pipeline, says_what_is_wrong) {
 
 TEST(Pipeline, stops_on_request) {
     const std::atomic<bool> stop{true};
-    const LiveMesh made = Pipeline().run(limbs(), {}, Progress({}, &stop));
+    const LiveMesh made = Pipeline().run(body_with_limbs(), {}, Progress({}, &stop));
     ASSERT_TRUE(made.error);
     EXPECT_EQ(made.error->kind, ErrorKind::cancelled);
 }
 
 TEST(Pipeline, figures_are_those_of_the_surface) {
-    Document document = limbs();
+    Document document = body_with_limbs();
     LiveMesh made = Pipeline().run(document, {.level = 1});
     measure(made);
     EXPECT_TRUE(made.validation->solid());

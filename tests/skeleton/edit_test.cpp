@@ -31,7 +31,7 @@ GraphCounts counts(const Document& document) {
 }
 
 /// Ids 10 ...; a trunk 0 - 1 with two leaves 2, 3 at its end.
-Document fork() {
+Document trunk_with_leaves() {
     Document document;
     document.nodes = {{.position = {0, 0, 0}, .radius = 2},
                       {.parent = 0, .position = {0, 0, 10}, .radius = 2},
@@ -43,12 +43,13 @@ Document fork() {
 }
 
 TEST(Edit, NodesAreFoundByTheirIds) {
-    EXPECT_EQ(node_with_id(fork(), 12).value(), 2);
-    EXPECT_EQ(node_with_id(fork(), 2).error().kind, ErrorKind::call);
+    EXPECT_EQ(node_with_id(trunk_with_leaves(), 12).value(), 2);
+    EXPECT_EQ(node_with_id(trunk_with_leaves(), 2).error().kind, ErrorKind::call);
 }
 
 TEST(Edit, ConsolidatedLeavesKeepTheRadiusUntilNearTheTip) {
-    const Document d = consolidate_leaves(fork(), {.distance = 1}, std::vector<std::int32_t>{0, 1, 2});
+    const Document d =
+        consolidate_leaves(trunk_with_leaves(), {.distance = 1}, std::vector<std::int32_t>{0, 1, 2});
     ASSERT_THAT(d.nodes, SizeIs(6));
     EXPECT_TRUE(validate(d));
     EXPECT_EQ(d.nodes[4].position, Vec3(0, 0, 2));  // the root is a leaf too
@@ -68,7 +69,8 @@ TEST(Edit, ConsolidatedNodesStayOnTheirSideOfAShortBone) {
 }
 
 TEST(Edit, MergedTwinsShareOneBone) {
-    const Document d = merge_nodes(fork(), std::vector<std::array<std::int32_t, 2>>{{3, 2}}).value();
+    const Document d =
+        merge_nodes(trunk_with_leaves(), std::vector<std::array<std::int32_t, 2>>{{3, 2}}).value();
     ASSERT_THAT(d.nodes, SizeIs(3));
     EXPECT_EQ(d.nodes[2].position, Vec3(0, 0, 13));
     EXPECT_EQ(d.nodes[2].id, 12);
@@ -77,11 +79,12 @@ TEST(Edit, MergedTwinsShareOneBone) {
 }
 
 TEST(Edit, MergedLeavesOfOneTreeCloseACycle) {
-    const Document d = merge_nodes(fork(), std::vector<std::array<std::int32_t, 2>>{{0, 3}}).value();
+    const Document d =
+        merge_nodes(trunk_with_leaves(), std::vector<std::array<std::int32_t, 2>>{{0, 3}}).value();
     EXPECT_TRUE(validate(d));
     EXPECT_THAT(d.nodes, SizeIs(3));
     EXPECT_EQ(counts(d).cycles, 0);  // the bones 0 - 1 and 1 - 3 are one now
-    Document longer = insert_on_bone(fork(), 2, 0.5).value();
+    Document longer = insert_on_bone(trunk_with_leaves(), 2, 0.5).value();
     const Document ring = merge_nodes(longer, std::vector<std::array<std::int32_t, 2>>{{0, 3}}).value();
     EXPECT_TRUE(validate(ring));
     EXPECT_EQ(counts(ring).cycles, 1);
@@ -90,12 +93,12 @@ TEST(Edit, MergedLeavesOfOneTreeCloseACycle) {
 
 TEST(Edit, WhatCannotBeMergedIsTheCallsFault) {
     using Pairs = std::vector<std::array<std::int32_t, 2>>;
-    EXPECT_EQ(merge_nodes(fork(), Pairs{{1, 1}}).error().kind, ErrorKind::call);
-    EXPECT_EQ(merge_nodes(fork(), Pairs{{1, 9}}).error().kind, ErrorKind::call);
+    EXPECT_EQ(merge_nodes(trunk_with_leaves(), Pairs{{1, 1}}).error().kind, ErrorKind::call);
+    EXPECT_EQ(merge_nodes(trunk_with_leaves(), Pairs{{1, 9}}).error().kind, ErrorKind::call);
 }
 
 TEST(Edit, CloseLeavesArePairedClosestFirst) {
-    Document d = fork();
+    Document d = trunk_with_leaves();
     d.nodes.push_back({.id = 20, .parent = 0, .position = {5, 0, 13}});
     EXPECT_THAT(close_leaves(d, 0.5), IsEmpty());
     EXPECT_THAT(close_leaves(d, 8), ElementsAre(std::array{2, 4}));
@@ -104,17 +107,17 @@ TEST(Edit, CloseLeavesArePairedClosestFirst) {
 }
 
 TEST(Edit, ANodeOnABoneInterpolates) {
-    const Document d = insert_on_bone(fork(), 1, 0.25).value();
+    const Document d = insert_on_bone(trunk_with_leaves(), 1, 0.25).value();
     EXPECT_THAT(parents(d), ElementsAre(-1, 0, 4, 1, 1));
     EXPECT_EQ(d.nodes[4].position, Vec3(1, 0, 10.75));
     EXPECT_EQ(d.nodes[4].radius, 1.75);
     EXPECT_EQ(d.nodes[4].id, 14);
-    EXPECT_FALSE(insert_on_bone(fork(), 3));
-    EXPECT_FALSE(insert_on_bone(fork(), 0, 1.5));
+    EXPECT_FALSE(insert_on_bone(trunk_with_leaves(), 3));
+    EXPECT_FALSE(insert_on_bone(trunk_with_leaves(), 0, 1.5));
 }
 
 TEST(Edit, ANodeOnALinkSplitsIt) {
-    Document d = fork();
+    Document d = trunk_with_leaves();
     d.nodes[3].type = NodeType::sphere;
     d.links = {{2, 3}};
     d = insert_on_bone(d, 3).value();
@@ -124,25 +127,25 @@ TEST(Edit, ANodeOnALinkSplitsIt) {
 }
 
 TEST(Edit, DissolvingJoinsWhatANodeJoined) {
-    const Document d = dissolve(fork(), std::vector<std::int32_t>{1});
+    const Document d = dissolve(trunk_with_leaves(), std::vector<std::int32_t>{1});
     EXPECT_THAT(parents(d), ElementsAre(-1, 0, 0));
     EXPECT_EQ(d.nodes[1].id, 12);
-    const Document without_root = dissolve(fork(), std::vector<std::int32_t>{0});
+    const Document without_root = dissolve(trunk_with_leaves(), std::vector<std::int32_t>{0});
     EXPECT_THAT(parents(without_root), ElementsAre(-1, 0, 0));
-    const Document without_trunk = dissolve(fork(), std::vector<std::int32_t>{0, 1});
+    const Document without_trunk = dissolve(trunk_with_leaves(), std::vector<std::int32_t>{0, 1});
     EXPECT_THAT(parents(without_trunk), ElementsAre(-1, 0));
-    EXPECT_THAT(dissolve(fork(), std::vector<std::int32_t>{0, 1, 2, 3}).nodes, IsEmpty());
-    EXPECT_THAT(dissolve(fork(), {}).nodes, SizeIs(4));
+    EXPECT_THAT(dissolve(trunk_with_leaves(), std::vector<std::int32_t>{0, 1, 2, 3}).nodes, IsEmpty());
+    EXPECT_THAT(dissolve(trunk_with_leaves(), {}).nodes, SizeIs(4));
 }
 
 TEST(Edit, ANewRootTurnsTheWayToTheOldOne) {
-    const Document d = reroot(fork(), 2);
+    const Document d = reroot(trunk_with_leaves(), 2);
     EXPECT_THAT(parents(d), ElementsAre(1, 2, -1, 1));
     EXPECT_TRUE(validate(d));
 }
 
 TEST(Edit, BoxesStayAsTheyAreUnderANewRoot) {
-    Document d = fork();
+    Document d = trunk_with_leaves();
     d.nodes[0].type = d.nodes[1].type = d.nodes[2].type = NodeType::cube;
     d.nodes[2].roll = 17;
     Document longer = insert_on_bone(d, 1).value();
@@ -159,7 +162,7 @@ TEST(Edit, BoxesStayAsTheyAreUnderANewRoot) {
 }
 
 TEST(Edit, AMirroredDocumentHasBothHalves) {
-    Document half = fork();
+    Document half = trunk_with_leaves();
     const Document d = mirror(half, 1);
     EXPECT_THAT(d.nodes, SizeIs(4));  // all on the plane y = 0
     for (Node& node : half.nodes) node.position.y() += 1;
@@ -170,15 +173,15 @@ TEST(Edit, AMirroredDocumentHasBothHalves) {
 }
 
 TEST(Edit, RadialCopiesShareTheAxis) {
-    const Document d = radial_copy(fork(), 2, 8);
+    const Document d = radial_copy(trunk_with_leaves(), 2, 8);
     EXPECT_TRUE(validate(d));
     // The trunk is on the axis; left and right leaf stand at each other's fourth image.
     EXPECT_THAT(d.nodes, SizeIs(2 + 8));
-    EXPECT_THAT(radial_copy(fork(), 2, 1).nodes, SizeIs(4));
+    EXPECT_THAT(radial_copy(trunk_with_leaves(), 2, 1).nodes, SizeIs(4));
 }
 
 TEST(Edit, NodesSnapToTheGrid) {
-    Document d = fork();
+    Document d = trunk_with_leaves();
     d.nodes[2].position = {0.3, -0.1, 1.26};
     const Document snapped = snap_to_grid(d, 0.25, std::vector<std::int32_t>{2});
     EXPECT_EQ(snapped.nodes[2].position, Vec3(0.25, 0, 1.25));

@@ -8,7 +8,7 @@ void apply(Context& c, const char* label, Edited edit) {
     c.model.apply(label, std::move(edit.document), std::move(edit.selection));
 }
 
-const Action table[] = {
+const Action edit_table[] = {
     {"edit.undo", "Undo", "Ctrl+Z", "Takes the last step back", Menu::edit,
      [](Context& c) { c.model.undo(); },
      [](const Context& c) { return c.model.history().canUndo() || c.model.previewing(); }, nullptr, false,
@@ -32,6 +32,6 @@ const Action table[] = {
 
 }  // namespace
 
-std::span<const Action> edit_actions() { return table; }
+std::span<const Action> edit_actions() { return edit_table; }
 
 }  // namespace sinew::modeler

@@ -3,7 +3,7 @@
 namespace sinew::modeler {
 namespace {
 
-const Action table[] = {
+const Action file_table[] = {
     {"file.new", "New", "Ctrl+N", "Starts a new skeleton: a root at the origin, mirrored", Menu::file,
      [](Context& c) { c.host.new_document(); }},
     {"file.open", "Open...", "Ctrl+O", "Opens a skeleton in any format that is read", Menu::file,
@@ -29,6 +29,6 @@ const Action table[] = {
 
 }  // namespace
 
-std::span<const Action> file_actions() { return table; }
+std::span<const Action> file_actions() { return file_table; }
 
 }  // namespace sinew::modeler

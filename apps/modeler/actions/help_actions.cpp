@@ -3,7 +3,7 @@
 namespace sinew::modeler {
 namespace {
 
-const Action table[] = {
+const Action help_table[] = {
     {"help.palette", "Command palette", "Ctrl+K | F3", "Finds any command by a few letters", Menu::help,
      [](Context& c) { c.host.command_palette(); }},
     {"help.keys", "Keys and mouse", "F1", "Shows all shortcuts and what the mouse does", Menu::help,
@@ -13,6 +13,6 @@ const Action table[] = {
 
 }  // namespace
 
-std::span<const Action> help_actions() { return table; }
+std::span<const Action> help_actions() { return help_table; }
 
 }  // namespace sinew::modeler

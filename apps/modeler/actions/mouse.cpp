@@ -5,7 +5,7 @@
 namespace sinew::modeler {
 namespace {
 
-const MouseUse table[] = {
+const MouseUse mouse_table[] = {
     {"Draw a child", "Draw tool: drag from a node"},
     {"Insert a node", "Draw tool: drag from a bone"},
     {"Move", "Move tool, or Shift: drag a node or a bone"},
@@ -24,11 +24,11 @@ const MouseUse table[] = {
 
 }  // namespace
 
-std::span<const MouseUse> mouse_uses() { return table; }
+std::span<const MouseUse> mouse_uses() { return mouse_table; }
 
 std::string mouse_as_markdown() {
     std::string text = "| To | Do |\n|---|---|\n";
-    for (const MouseUse& use : table) text += fmt::format("| {} | {} |\n", use.what, use.how);
+    for (const MouseUse& use : mouse_table) text += fmt::format("| {} | {} |\n", use.what, use.how);
     return text;
 }
 

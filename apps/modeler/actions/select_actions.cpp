@@ -8,7 +8,7 @@ void walk(Context& c) {
     c.model.select(stepped(c.model.document(), c.model.selection(), step));
 }
 
-const Action table[] = {
+const Action select_table[] = {
     {"select.all", "All", "Ctrl+A", "Selects every node", Menu::select,
      [](Context& c) { c.model.select(all_nodes(c.model.document())); }, any_node},
     {"select.none", "Nothing", "Ctrl+Shift+A", "Selects nothing", Menu::select,
@@ -31,6 +31,6 @@ const Action table[] = {
 
 }  // namespace
 
-std::span<const Action> select_actions() { return table; }
+std::span<const Action> select_actions() { return select_table; }
 
 }  // namespace sinew::modeler

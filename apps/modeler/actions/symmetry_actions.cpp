@@ -20,7 +20,7 @@ bool mirrored_at(const Context& c) {
     return symmetry.kind == Symmetry::Kind::mirror && symmetry.axis == axis;
 }
 
-const Action table[] = {
+const Action symmetry_table[] = {
     {"symmetry.none", "Symmetry > None", "", "What is drawn is all there is", Menu::skeleton,
      [](Context& c) { set_symmetry(c, {}); }, nullptr, [](const Context& c) { return !symmetric(c); }, true},
     {"symmetry.x", "Symmetry > Mirror X", "", "The left side is the mirror image of the right",
@@ -47,6 +47,6 @@ const Action table[] = {
 
 }  // namespace
 
-std::span<const Action> symmetry_actions() { return table; }
+std::span<const Action> symmetry_actions() { return symmetry_table; }
 
 }  // namespace sinew::modeler

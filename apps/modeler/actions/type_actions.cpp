@@ -36,7 +36,7 @@ void flip_joint(Context& c) {
                   set(c.model.document(), selected(c), &Node::joint, is_sharp(c) ? 0.0 : infinitely_sharp));
 }
 
-const Action table[] = {
+const Action type_table[] = {
     {"node.type_menu", "Type...", "T", "Chooses the type of the selected nodes round the pointer",
      Menu::skeleton, [](Context& c) { c.host.type_menu(); }, any_selected, nullptr, true},
     {"type.sphere", "Type > Sphere", "Ctrl+1", "Round, and blends into its bones", Menu::skeleton,
@@ -59,6 +59,6 @@ const Action table[] = {
 
 }  // namespace
 
-std::span<const Action> type_actions() { return table; }
+std::span<const Action> type_actions() { return type_table; }
 
 }  // namespace sinew::modeler

@@ -16,7 +16,7 @@ void look(Context& c) {
     c.host.look_from(view);
 }
 
-const Action table[] = {
+const Action view_table[] = {
     {"view.live", "Live mesh", "Space",
      "Skins the skeleton, and again after every edit; off: the bones alone", Menu::view,
      flip<&ViewSettings::live>, nullptr, is_on<&ViewSettings::live>, false, true, true},
@@ -71,6 +71,6 @@ const Action table[] = {
 
 }  // namespace
 
-std::span<const Action> view_actions() { return table; }
+std::span<const Action> view_actions() { return view_table; }
 
 }  // namespace sinew::modeler

@@ -25,7 +25,7 @@
 namespace sinew::modeler {
 namespace {
 
-QString to_qt(std::string_view text) {
+QString qt_text(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
@@ -72,7 +72,7 @@ ExportDialog::ExportDialog(QWidget* parent, const Document& document, const Mesh
     for (const Format& format : formats()) {
         if (!format.writes_mesh) continue;
         choices_.push_back(&format);
-        format_->addItem(QString("%1  (%2)").arg(to_qt(format.about), to_qt(format.extension)));
+        format_->addItem(QString("%1  (%2)").arg(qt_text(format.about), qt_text(format.extension)));
     }
     format_->setObjectName("export_format");
     path_->setObjectName("export_path");
@@ -124,7 +124,7 @@ ExportDialog::ExportDialog(QWidget* parent, const Document& document, const Mesh
 
 void ExportDialog::follow_format() {
     const QFileInfo file(path_->text());
-    path_->setText(file.path() + "/" + file.completeBaseName() + to_qt(format().extension));
+    path_->setText(file.path() + "/" + file.completeBaseName() + qt_text(format().extension));
     QStringList notes;
     if (!format().carries.quads) notes << "Quads are split into triangles";
     if (!format().carries.creases && level_->value() == 0) notes << "Creases are not kept";
@@ -182,7 +182,7 @@ QString export_mesh(QWidget* parent, const Document& document, const MeshOptions
     const Result<void> outcome = run(parent, document, wish);
     if (outcome) return wish.path;
     if (outcome.error().kind != ErrorKind::cancelled)
-        QMessageBox::warning(parent, "The mesh was not exported", to_qt(outcome.error().text()));
+        QMessageBox::warning(parent, "The mesh was not exported", qt_text(outcome.error().text()));
     return {};
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 double modulo(double a, double b) { return a - b * std::floor(a / b); }
 double tangent(double degrees) { return portable::sine(degrees) / portable::cosine(degrees); }
-double sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+double sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 double negation(double x) { return x == 0 ? 1 : 0; }
 double smaller(double a, double b) { return b < a ? b : a; }
 double larger(double a, double b) { return b > a ? b : a; }
@@ -36,7 +36,7 @@ constexpr std::array<std::pair<const char*, Unary>, 10> unary_functions{
      {"exp", portable::exponential},
      {"log", portable::logarithm},
      {"abs", [](double x) { return std::fabs(x); }},
-     {"sign", sign_of},
+     {"sign", sign},
      {"floor", [](double x) { return std::floor(x); }},
      {"ceil", [](double x) { return std::ceil(x); }}}};
 constexpr std::array<std::pair<const char*, Binary>, 4> binary_functions{

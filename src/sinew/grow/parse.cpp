@@ -24,9 +24,11 @@ constexpr std::string_view all_settings =
 
 bool accept_arrow(Cursor& cursor) { return cursor.accept("->") || cursor.accept("-->"); }
 
-class Reader {
+class GrammarReader {
   public:
-    Reader(std::string_view text, std::string name) { grammar_.source = Source(text, std::move(name)); }
+    GrammarReader(std::string_view text, std::string name) {
+        grammar_.source = Source(text, std::move(name));
+    }
 
     Result<Grammar> read();
 
@@ -49,7 +51,7 @@ class Reader {
     bool finally_ = false;
 };
 
-Result<Grammar> Reader::read() {
+Result<Grammar> GrammarReader::read() {
     const Source& source = grammar_.source;
     for (std::size_t line = 0; line < source.line_count();) {
         const std::size_t begin = line++;
@@ -74,13 +76,13 @@ Result<Grammar> Reader::read() {
     return std::move(grammar_);
 }
 
-bool Reader::statement(Cursor& cursor) {
+bool GrammarReader::statement(Cursor& cursor) {
     // A % before a word is a setting; the turtle's % stands in successors only.
     if (cursor.peek() == '%') return setting(cursor);
     return is_constant(cursor) ? constant(cursor) : production(cursor);
 }
 
-bool Reader::once(Cursor& cursor, const Text& word) {
+bool GrammarReader::once(Cursor& cursor, const Text& word) {
     for (const Setting& other : grammar_.settings)
         if (other.word.text == word.text)
             return cursor.wrong(word.offset, fmt::format("%{} is already set in line {}", word.text,
@@ -89,7 +91,7 @@ bool Reader::once(Cursor& cursor, const Text& word) {
     return true;
 }
 
-bool Reader::setting(Cursor& cursor) {
+bool GrammarReader::setting(Cursor& cursor) {
     cursor.advance(1);
     const Text word = cursor.name();
     if (word.empty()) return cursor.expected("the name of a setting after '%'", std::string(all_settings));
@@ -114,7 +116,7 @@ bool Reader::setting(Cursor& cursor) {
                         fmt::format("there are {}", all_settings));
 }
 
-bool Reader::formulas(Cursor& cursor, Text word, std::size_t count) {
+bool GrammarReader::formulas(Cursor& cursor, Text word, std::size_t count) {
     auto& list = grammar_.settings.back().formulas;
     for (;;) {
         if (cursor.at_end()) return cursor.expected("a formula");
@@ -130,7 +132,7 @@ bool Reader::formulas(Cursor& cursor, Text word, std::size_t count) {
            cursor.expected(fmt::format("',' and {} formulas in all after %{}", count, word.text));
 }
 
-bool Reader::ignore(Cursor& cursor) {
+bool GrammarReader::ignore(Cursor& cursor) {
     while (!cursor.at_end()) {
         Text name;
         if (!reader_.symbol(cursor, name)) return false;
@@ -140,7 +142,7 @@ bool Reader::ignore(Cursor& cursor) {
     return true;
 }
 
-bool Reader::declare_modules(Cursor& cursor) {
+bool GrammarReader::declare_modules(Cursor& cursor) {
     if (!grammar_.axiom.empty() || !grammar_.productions.empty())
         return cursor.wrong(cursor.offset(), "%modules must stand before the axiom and the productions",
                             "their letters have been taken apart already");
@@ -153,7 +155,7 @@ bool Reader::declare_modules(Cursor& cursor) {
     return true;
 }
 
-bool Reader::symmetry(Cursor& cursor) {
+bool GrammarReader::symmetry(Cursor& cursor) {
     Symmetry& result = grammar_.symmetry;
     result.kind = cursor.peek() == 'm' ? Symmetry::Kind::mirror : Symmetry::Kind::radial;
     if (!cursor.accept("mirror") && !cursor.accept("radial"))
@@ -172,12 +174,12 @@ bool Reader::symmetry(Cursor& cursor) {
     return cursor.at_end() || cursor.expected("the end of the line");
 }
 
-bool Reader::is_constant(const Cursor& cursor) const {
+bool GrammarReader::is_constant(const Cursor& cursor) const {
     Cursor ahead = cursor;
     return !ahead.name().empty() && ahead.peek() == '=' && ahead.peek(1) != '=';
 }
 
-bool Reader::constant(Cursor& cursor) {
+bool GrammarReader::constant(Cursor& cursor) {
     GrowConstant result;
     const Text name = cursor.name();
     for (const GrowConstant& other : grammar_.constants)
@@ -196,7 +198,7 @@ bool Reader::constant(Cursor& cursor) {
     return true;
 }
 
-bool Reader::production(Cursor& cursor) {
+bool GrammarReader::production(Cursor& cursor) {
     Production result;
     result.finally = finally_;
     std::vector<Pattern> middle;
@@ -228,7 +230,7 @@ bool Reader::production(Cursor& cursor) {
     return true;
 }
 
-bool Reader::condition(Cursor& cursor, Text& condition) {
+bool GrammarReader::condition(Cursor& cursor, Text& condition) {
     const std::string_view rest = cursor.rest();
     std::size_t arrow = rest.find("->");
     if (arrow == std::string_view::npos) {
@@ -245,7 +247,7 @@ bool Reader::condition(Cursor& cursor, Text& condition) {
 }  // namespace
 
 Result<Grammar> parse_statements(std::string_view text, std::string name) {
-    return Reader(text, std::move(name)).read();
+    return GrammarReader(text, std::move(name)).read();
 }
 
 }  // namespace sinew::lsystem

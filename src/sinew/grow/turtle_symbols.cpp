@@ -6,7 +6,7 @@
 namespace sinew::lsystem {
 namespace {
 
-constexpr std::array<TurtleSymbol, 27> table{{
+constexpr std::array<TurtleSymbol, 27> symbols{{
     {"F", Command::draw, 0, 1},
     {"f", Command::move, 0, 1},
     {".", Command::node, 0, 0},
@@ -38,7 +38,7 @@ constexpr std::array<TurtleSymbol, 27> table{{
 
 }  // namespace
 
-std::span<const TurtleSymbol> turtle_symbols() { return table; }
+std::span<const TurtleSymbol> turtle_symbols() { return symbols; }
 
 const TurtleSymbol* find_turtle_symbol(std::string_view symbol) {
     const auto all = turtle_symbols();

@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-constexpr Format table[] = {
+constexpr Format all_formats[] = {
     {.id = FormatName::sinew,
      .name = "sinew",
      .extension = ".sinew",
@@ -95,7 +95,7 @@ std::string_view words(FormatUse use) {
 
 std::string names_for(FormatUse use) {
     std::string names;
-    for (const Format& format : table)
+    for (const Format& format : all_formats)
         if (supports(format, use)) names += (names.empty() ? "" : ", ") + std::string(format.name);
     return names;
 }
@@ -118,10 +118,10 @@ std::string_view read_write(bool reads, bool writes) {
 
 }  // namespace
 
-std::span<const Format> formats() { return table; }
+std::span<const Format> formats() { return all_formats; }
 
 const Format* find_format(std::string_view name) {
-    for (const Format& format : table)
+    for (const Format& format : all_formats)
         if (format.name == name) return &format;
     return nullptr;
 }
@@ -152,7 +152,7 @@ Result<const Format*> choose_format(const std::string& path, std::string_view na
         const std::string extension = extension_of(path);
         if (extension.empty())
             return wrong("the name does not say which format is meant", "name one; " + choices);
-        for (const Format& each : table)
+        for (const Format& each : all_formats)
             if (each.extension == extension) format = &each;
         if (!format)
             return wrong(fmt::format("the extension '{}' is of no known format", extension), choices);
@@ -165,7 +165,7 @@ Result<const Format*> choose_format(const std::string& path, std::string_view na
 std::string formats_text() {
     std::string text = fmt::format("{:<7} {:<8} {:<32} {:<12} {:<12} {}\n", "format", "files", "what it is",
                                    "skeleton", "mesh", "carries");
-    for (const Format& f : table)
+    for (const Format& f : all_formats)
         text += fmt::format("{:<7} {:<8} {:<32} {:<12} {:<12} {}\n", f.name, f.extension, f.about,
                             read_write(f.reads_skeleton, f.writes_skeleton),
                             read_write(f.reads_mesh, f.writes_mesh), carried(f.carries));

@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t newest_version = 1;
 
 /// Fills a document from the values. The first error stays, and what follows it does no harm.
-class Reader {
+class DocumentReader {
   public:
     Result<Document> read(const Json& root) {
         read_head(root);
@@ -190,7 +190,7 @@ class Reader {
 Result<ReadSkeleton> parse_sinew(std::string_view text, const ReadOptions& options) try {
     Result<Json> json = parse_json(text);
     if (!json) return fail(std::move(json.error()));
-    Result<Document> document = Reader().read(*json);
+    Result<Document> document = DocumentReader().read(*json);
     Error error;
     if (!document) {
         error = std::move(document.error());

@@ -5,13 +5,13 @@
 namespace sinew {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) {
+bool is_decimal(char c) { return c >= '0' && c <= '9'; }
+bool begins_word(char c) {
     // Names may hold any letter beyond ASCII, too.
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
            static_cast<unsigned char>(c) >= 0x80;
 }
-bool continues_word(char c) { return is_letter(c) || is_digit(c) || c == ':' || c == '.'; }
+bool continues_word(char c) { return begins_word(c) || is_decimal(c) || c == ':' || c == '.'; }
 
 }  // namespace
 
@@ -85,7 +85,7 @@ void UsdaScanner::next() {
                                                          : fail_here();
     }
     double unused = 0;
-    if (is_letter(c)) {
+    if (begins_word(c)) {
         const char* end = at_;
         while (end < end_ && continues_word(*end)) ++end;
         const std::string_view word(at_, static_cast<std::size_t>(end - at_));

@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-struct Key {
+struct MortonKey {
     std::uint64_t code;
     std::uint32_t item;
 };
@@ -28,9 +28,9 @@ bool is_finite(const Box& box) { return box.low.allFinite() && box.high.allFinit
 Vec3 centre(const Box& box) { return (box.low.cast<double>() + box.high.cast<double>()) / 2; }
 
 /// The boxes along the Morton curve through their centres.
-std::vector<Key> morton_keys(std::span<const Box> boxes) {
+std::vector<MortonKey> morton_keys(std::span<const Box> boxes) {
     Eigen::AlignedBox3d all;
-    std::vector<Key> keys;
+    std::vector<MortonKey> keys;
     keys.reserve(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (!is_finite(boxes[i])) continue;
@@ -49,18 +49,18 @@ std::vector<Key> morton_keys(std::span<const Box> boxes) {
 }
 
 /// Sorts by the codes' 63 bits, 11 at a time; items of one code stay in ascending order.
-void radix_sort(std::vector<Key>& keys) {
+void radix_sort(std::vector<MortonKey>& keys) {
     constexpr int bits = 11, passes = 6;
     constexpr std::size_t digits = 1 << bits;
-    std::vector<Key> other(keys.size());
+    std::vector<MortonKey> other(keys.size());
     for (int pass = 0; pass < passes; ++pass) {
-        auto digit = [&](const Key& key) { return key.code >> (bits * pass) & (digits - 1); };
+        auto digit = [&](const MortonKey& key) { return key.code >> (bits * pass) & (digits - 1); };
         std::array<std::size_t, digits> first{};
-        for (const Key& key : keys) ++first[digit(key)];
+        for (const MortonKey& key : keys) ++first[digit(key)];
         if (std::find(first.begin(), first.end(), keys.size()) != first.end()) continue;
         std::size_t sum = 0;
         for (std::size_t& entry : first) sum += std::exchange(entry, sum);
-        for (const Key& key : keys) other[first[digit(key)]++] = key;
+        for (const MortonKey& key : keys) other[first[digit(key)]++] = key;
         keys.swap(other);
     }
 }
@@ -79,13 +79,13 @@ std::vector<Box> level_above(const std::vector<Box>& below) {
 }  // namespace
 
 BoxTree build_box_tree(std::span<const Box> boxes) {
-    std::vector<Key> keys = morton_keys(boxes);
+    std::vector<MortonKey> keys = morton_keys(boxes);
     radix_sort(keys);
     BoxTree tree;
     std::vector<Box> leaves;
     leaves.reserve(keys.size());
     tree.items.reserve(keys.size());
-    for (const Key& key : keys) {
+    for (const MortonKey& key : keys) {
         tree.items.push_back(key.item);
         leaves.push_back(boxes[key.item]);
     }

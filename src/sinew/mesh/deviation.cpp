@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A round cone with what every point asks of it: the slanted side's normal is (cosine) across, (sine) along
 /// the axis.
-struct Cone {
+struct BoneCone {
     Vec3 from;
     Vec3 axis;  ///< unit; zero where the ends are one point
     double length, from_radius, to_radius;
@@ -24,10 +24,10 @@ struct Cone {
     bool nested;  ///< one ball holds the other: there is no slanted side
 };
 
-Cone make_cone(const RoundCones& cones, std::size_t i) {
+BoneCone make_cone(const RoundCones& cones, std::size_t i) {
     const Vec3 along = cones.to[i] - cones.from[i];
-    Cone c{cones.from[i], Vec3::Zero(), along.norm(), cones.from_radius[i], cones.to_radius[i], 0, 1, 0,
-           true};
+    BoneCone c{cones.from[i], Vec3::Zero(), along.norm(), cones.from_radius[i], cones.to_radius[i], 0, 1, 0,
+               true};
     const double step = c.from_radius - c.to_radius;
     const double side_squared = along.squaredNorm() - step * step;
     c.nested = !(side_squared > 1e-12 * along.squaredNorm());
@@ -47,7 +47,7 @@ struct Near {
 
 /// In the plane of the axis and the point: which of the two balls, or the slanted side between them, is
 /// nearest?
-Near distance_to(const Cone& c, const Vec3& point, Index index) {
+Near distance_to(const BoneCone& c, const Vec3& point, Index index) {
     const Vec3 from = point - c.from;
     const double along = from.dot(c.axis);
     const double across = (from - along * c.axis).norm();
@@ -62,7 +62,7 @@ Near distance_to(const Cone& c, const Vec3& point, Index index) {
 }
 
 /// A box in floats that holds the axis.
-Box axis_box(const Cone& c) {
+Box axis_box(const BoneCone& c) {
     const Vec3 to = c.from + c.length * c.axis;
     Box box;
     for (const Vec3& end : {c.from, to})
@@ -86,7 +86,7 @@ class ConeTree {
         tree_ = build_box_tree(boxes);
         for (const Index i : tree_.items) cones_.push_back(make_cone(cones, i));
         radii_.resize(tree_.levels.size());
-        for (const Cone& c : cones_) radii_[0].push_back(std::max(c.from_radius, c.to_radius));
+        for (const BoneCone& c : cones_) radii_[0].push_back(std::max(c.from_radius, c.to_radius));
         for (std::size_t level = 1; level < radii_.size(); ++level)
             for (std::size_t i = 0; i < tree_.levels[level].size(); ++i)
                 radii_[level].push_back(
@@ -104,7 +104,7 @@ class ConeTree {
         return best;
     }
     double radius_at(const Near& near) const {
-        const Cone& c = cones_[near.cone];
+        const BoneCone& c = cones_[near.cone];
         const double share = c.length > 0 ? std::clamp(near.along / c.length, 0.0, 1.0) : 0;
         return std::max(c.from_radius + share * (c.to_radius - c.from_radius), 1e-3 * largest_radius());
     }
@@ -134,7 +134,7 @@ class ConeTree {
     }
 
     BoxTree tree_;
-    std::vector<Cone> cones_;
+    std::vector<BoneCone> cones_;
     std::vector<std::vector<double>> radii_;
 };
 

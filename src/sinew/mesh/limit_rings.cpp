@@ -7,23 +7,22 @@
 namespace sinew {
 namespace {
 
-using Eigen::Index;
 using Row = Eigen::RowVectorXd;
 
 constexpr std::size_t most_edges = 256;  // a ring of weights takes the square of it
-constexpr int dart_steps = 48;           // each at least halves what is left
+constexpr int ring_dart_steps = 48;      // each at least halves what is left
 
 bool is_infinite(float sharpness) { return sharpness >= infinite_sharpness; }
 
-std::vector<Index> sharp_edges(const VertexRing& ring) {
-    std::vector<Index> sharp;
+std::vector<Eigen::Index> sharp_in_ring(const VertexRing& ring) {
+    std::vector<Eigen::Index> sharp;
     for (std::size_t i = 0; i < ring.sharpness.size(); ++i)
-        if (ring.sharpness[i] > 0) sharp.push_back(static_cast<Index>(i));
+        if (ring.sharpness[i] > 0) sharp.push_back(static_cast<Eigen::Index>(i));
     return sharp;
 }
 
-Row new_edge_point(const VertexRing& ring, Index i) {
-    const Index faces = ring.means.rows();
+Row new_edge_point(const VertexRing& ring, Eigen::Index i) {
+    const Eigen::Index faces = ring.means.rows();
     const double share = edge_rule(ring.sharpness[static_cast<std::size_t>(i)]);
     const Row middle = (ring.vertex + ring.edges.row(i)) / 2;
     if (share == 1) return middle;
@@ -32,9 +31,10 @@ Row new_edge_point(const VertexRing& ring, Index i) {
 }
 
 Row new_vertex(const VertexRing& ring) {
-    const std::vector<Index> sharp = sharp_edges(ring);
+    const std::vector<Eigen::Index> sharp = sharp_in_ring(ring);
     std::vector<SharpSpoke> spokes;
-    for (const Index i : sharp) spokes.push_back({.sharpness = ring.sharpness[static_cast<std::size_t>(i)]});
+    for (const Eigen::Index i : sharp)
+        spokes.push_back({.sharpness = ring.sharpness[static_cast<std::size_t>(i)]});
     const VertexRule rule = vertex_rule(spokes, false);
     Row moved = rule.corner * ring.vertex;
     if (rule.crease > 0) {
@@ -51,7 +51,7 @@ Row new_vertex(const VertexRing& ring) {
 
 /// A ring in which every point is the row of weights that is 1 for itself.
 VertexRing ring_of_weights(std::span<const float> sharpness, bool closed) {
-    const auto edges = static_cast<Index>(sharpness.size()), faces = edges - (closed ? 0 : 1);
+    const auto edges = static_cast<Eigen::Index>(sharpness.size()), faces = edges - (closed ? 0 : 1);
     const VertexRing::Rows identity = VertexRing::Rows::Identity(1 + edges + faces, 1 + edges + faces);
     return {identity.row(0),
             identity.middleRows(1, edges),
@@ -62,11 +62,11 @@ VertexRing ring_of_weights(std::span<const float> sharpness, bool closed) {
 
 /// The limit of a ring that no longer fades.
 Row limit_of(VertexRing& ring) {
-    const std::vector<Index> sharp = sharp_edges(ring);
+    const std::vector<Eigen::Index> sharp = sharp_in_ring(ring);
     if (sharp.size() > 2) return ring.vertex;
     if (sharp.size() == 2) return (4 * ring.vertex + ring.edges.row(sharp[0]) + ring.edges.row(sharp[1])) / 6;
     if (sharp.size() == 1) {
-        for (int i = 0; i < dart_steps; ++i) refine_ring(ring);
+        for (int i = 0; i < ring_dart_steps; ++i) refine_ring(ring);
         return ring.vertex;
     }
     const SmoothWeights weights(static_cast<double>(ring.edges.rows()));
@@ -105,12 +105,12 @@ RingWeights steady_weights(std::span<const float> sharpness, bool closed) {
 }  // namespace
 
 void refine_ring(VertexRing& ring) {
-    const Index edges = ring.edges.rows(), faces = ring.means.rows();
+    const Eigen::Index edges = ring.edges.rows(), faces = ring.means.rows();
     VertexRing::Rows new_edges(edges, ring.edges.cols());
-    for (Index i = 0; i < edges; ++i) new_edges.row(i) = new_edge_point(ring, i);
+    for (Eigen::Index i = 0; i < edges; ++i) new_edges.row(i) = new_edge_point(ring, i);
     ring.vertex = new_vertex(ring);
     ring.edges = std::move(new_edges);
-    for (Index i = 0; i < faces; ++i)  // what was the mean of a face is a corner of the new one
+    for (Eigen::Index i = 0; i < faces; ++i)  // what was the mean of a face is a corner of the new one
         ring.means.row(i) =
             (ring.vertex + ring.edges.row(i) + ring.means.row(i) + ring.edges.row((i + 1) % edges)).eval() /
             4;

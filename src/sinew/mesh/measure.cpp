@@ -193,15 +193,15 @@ void measure_valences(const QuadMesh& mesh, const Topology& topology, Measures& 
     result.stray_triangles = result.triangles - in_fans;
 }
 
-struct Box {
+struct BoundingBox {
     Eigen::AlignedBox3f box;
-    void append(const Box& other) { box.extend(other.box); }
+    void append(const BoundingBox& other) { box.extend(other.box); }
 };
 
 void measure_box(const QuadMesh& mesh, Measures& result) {
     if (mesh.positions.empty()) return;
-    const Box all = gather<Box>(mesh.vertex_count(),
-                                [&](std::size_t v, Box& part) { part.box.extend(mesh.positions[v]); });
+    const BoundingBox all = gather<BoundingBox>(
+        mesh.vertex_count(), [&](std::size_t v, BoundingBox& part) { part.box.extend(mesh.positions[v]); });
     result.low = all.box.min().cast<double>();
     result.high = all.box.max().cast<double>();
 }

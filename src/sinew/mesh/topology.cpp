@@ -13,10 +13,10 @@ using Index = std::uint32_t;
 
 /// A half-edge in the bucket of its lower vertex: the upper vertex in the high bits, so that sorting the keys
 /// of a bucket brings the half-edges of each edge together, ascending.
-using Key = std::uint64_t;
-Key make_key(Index upper, Index half_edge) { return Key{upper} << 32 | half_edge; }
-Index upper_of(Key key) { return static_cast<Index>(key >> 32); }
-Index half_edge_of(Key key) { return static_cast<Index>(key); }
+using EdgeKey = std::uint64_t;
+EdgeKey make_key(Index upper, Index half_edge) { return EdgeKey{upper} << 32 | half_edge; }
+Index upper_of(EdgeKey key) { return static_cast<Index>(key >> 32); }
+Index half_edge_of(EdgeKey key) { return static_cast<Index>(key); }
 
 /// Vertices are worked on in blocks, whose number does not depend on the number of threads.
 constexpr std::size_t block_size = 4096;
@@ -50,8 +50,8 @@ void start_rows(std::vector<Index>& first) {
 }
 
 struct Buckets {
-    std::vector<Index> first;  ///< vertices + 1 entries
-    std::vector<Key> keys;     ///< half-edges by lower vertex
+    std::vector<Index> first;   ///< vertices + 1 entries
+    std::vector<EdgeKey> keys;  ///< half-edges by lower vertex
 };
 
 Buckets bucket_half_edges(const QuadMesh& mesh) {
@@ -68,11 +68,11 @@ Buckets bucket_half_edges(const QuadMesh& mesh) {
     return buckets;
 }
 
-void sort_keys(Key* begin, Key* end) {
+void sort_keys(EdgeKey* begin, EdgeKey* end) {
     if (end - begin > 32) return std::sort(begin, end);
-    for (Key* i = begin; i < end; ++i) {
-        const Key key = *i;
-        Key* j = i;
+    for (EdgeKey* i = begin; i < end; ++i) {
+        const EdgeKey key = *i;
+        EdgeKey* j = i;
         for (; j > begin && j[-1] > key; --j) *j = j[-1];
         *j = key;
     }
@@ -86,10 +86,10 @@ std::vector<Index> sort_buckets(Buckets& buckets) {
     for_each_block(vertices, [&](std::size_t block, std::size_t begin, std::size_t end) {
         Index edges = 0;
         for (std::size_t v = begin; v < end; ++v) {
-            Key* const row = buckets.keys.data() + buckets.first[v];
-            Key* const row_end = buckets.keys.data() + buckets.first[v + 1];
+            EdgeKey* const row = buckets.keys.data() + buckets.first[v];
+            EdgeKey* const row_end = buckets.keys.data() + buckets.first[v + 1];
             sort_keys(row, row_end);
-            for (Key* key = row; key < row_end; ++key)
+            for (EdgeKey* key = row; key < row_end; ++key)
                 edges += key == row || upper_of(key[-1]) != upper_of(*key);
         }
         block_first[block] = edges;
@@ -98,7 +98,7 @@ std::vector<Index> sort_buckets(Buckets& buckets) {
     return block_first;
 }
 
-void pair_twins(const QuadMesh& mesh, std::span<const Key> keys, Topology& topology) {
+void pair_twins(const QuadMesh& mesh, std::span<const EdgeKey> keys, Topology& topology) {
     if (keys.size() != 2) return;
     const Index h = half_edge_of(keys[0]), g = half_edge_of(keys[1]);
     if (mesh.corners[h] == mesh.corners[g]) return;

@@ -10,11 +10,11 @@ namespace {
 using Index = std::uint32_t;
 using Face = std::span<const Index>;
 
-Vec3 position(const QuadMesh& mesh, Index vertex) { return mesh.positions[vertex].cast<double>(); }
+Vec3 vertex_position(const QuadMesh& mesh, Index vertex) { return mesh.positions[vertex].cast<double>(); }
 
 Vec3 normal(const QuadMesh& mesh, const Triangle& t) {
-    const Vec3 a = position(mesh, t[0]);
-    return (position(mesh, t[1]) - a).cross(position(mesh, t[2]) - a);
+    const Vec3 a = vertex_position(mesh, t[0]);
+    return (vertex_position(mesh, t[1]) - a).cross(vertex_position(mesh, t[2]) - a);
 }
 
 /// Is the diagonal from corner 1 to 3 the better one?
@@ -22,8 +22,8 @@ bool cut_from_second(const QuadMesh& mesh, Face q) {
     const bool first_flat = normal(mesh, {q[0], q[1], q[2]}).dot(normal(mesh, {q[0], q[2], q[3]})) > 0;
     const bool second_flat = normal(mesh, {q[1], q[2], q[3]}).dot(normal(mesh, {q[1], q[3], q[0]})) > 0;
     if (first_flat != second_flat) return second_flat;
-    const double first = (position(mesh, q[2]) - position(mesh, q[0])).squaredNorm();
-    const double second = (position(mesh, q[3]) - position(mesh, q[1])).squaredNorm();
+    const double first = (vertex_position(mesh, q[2]) - vertex_position(mesh, q[0])).squaredNorm();
+    const double second = (vertex_position(mesh, q[3]) - vertex_position(mesh, q[1])).squaredNorm();
     return second != first ? second < first : std::min(q[1], q[3]) < std::min(q[0], q[2]);
 }
 

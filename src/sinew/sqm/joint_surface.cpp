@@ -12,7 +12,7 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 /// Node beyond a slot's first bone.
 std::int32_t next_node(const Network& n, std::int32_t slot) {
@@ -172,7 +172,7 @@ void find_joint_surfaces(const Plain& s, const Network& n, JointPoints& points) 
     const std::size_t slots = n.slot_path.size();
     points.cone.resize(slots);
     points.kind.resize(slots, SlotKind::cone);
-    points.limit.resize(slots, unlimited);
+    points.limit.resize(slots, no_limit);
     points.extra.resize(slots, -1);
     points.body.resize(n.joint_count());
     points.only_cones.assign(n.joint_count(), 1);

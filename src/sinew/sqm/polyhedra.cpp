@@ -10,7 +10,7 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr std::int32_t chunk_size = 512;  // joints whose cells one task finds
+constexpr std::int32_t joints_a_task = 512;  // joints whose cells one task finds
 
 double angle_between(const Vec3& a, const Vec3& b) { return portable::angle_of(a.cross(b).norm(), a.dot(b)); }
 
@@ -141,7 +141,7 @@ Result<Polyhedra> make_polyhedra(const Plain& skeleton, const Network& network, 
     clear(all);
     reserve(all, network);
     for_chunks<Polyhedra>(
-        network.joint_count(), chunk_size,
+        network.joint_count(), joints_a_task,
         [&](Polyhedra& part, std::int32_t begin, std::int32_t end) {
             if (!progress.cancelled()) find_cells(skeleton, network, begin, end, part);
         },

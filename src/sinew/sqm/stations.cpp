@@ -9,7 +9,7 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr std::int32_t chunk_size = 256;  // paths that one task takes
+constexpr std::int32_t paths_a_task = 256;  // paths that one task takes
 
 /// Cosine of the angle between a unit vector and the arc between two others' directions, if the nearest point
 /// is not one of its ends; else -1.
@@ -149,7 +149,7 @@ Stations make_stations(const Plain& skeleton, const Network& network, const Poly
     Stations all;
     clear(all);
     for_chunks<Stations>(
-        network.path_count(), chunk_size,
+        network.path_count(), paths_a_task,
         [&](Stations& part, std::int32_t begin, std::int32_t end) {
             clear(part);
             PathWork work{skeleton, network, polyhedra, refinement, points, options, part};

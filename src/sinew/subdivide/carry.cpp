@@ -5,17 +5,12 @@
 
 #include <algorithm>
 
+#include "sinew/subdivide/parallel.h"
+
 namespace sinew {
 namespace {
 
 using Index = std::uint32_t;
-
-template <class Body>
-void for_each_in_parallel(Index count, const Body& body) {
-    tbb::parallel_for(tbb::blocked_range<Index>(0, count, 2048), [&](const tbb::blocked_range<Index>& range) {
-        for (Index i = range.begin(); i < range.end(); ++i) body(i);
-    });
-}
 
 /// Number of vertices one level finer.
 std::size_t vertices_after(const Level& level) { return std::size_t{level.face_point(0)} + level.faces; }
@@ -109,18 +104,13 @@ class OriginWriter {
     QuadMesh& finest_;
 };
 
-std::array<Index, 2> ends(const Level& level, Index edge) {
-    std::array<Index, 2> result{};
-    with_faces(level, [&](const auto& faces) { result = ends_of(level, faces, edge); });
-    return result;
-}
-
 std::vector<Crease> finer_creases(const Level& level, const Sharpness& coarse) {
     std::vector<Crease> finer;
     for (const auto& [edge, coarse_sharpness, listed] : coarse.edges) {
         const float sharpness = finer_sharpness(coarse_sharpness);
         if (!listed || !(sharpness > 0)) continue;
-        for (const Index end : ends(level, edge)) finer.push_back({{end, level.edge_point(edge)}, sharpness});
+        for (const Index end : ends_of(level, edge))
+            finer.push_back({{end, level.edge_point(edge)}, sharpness});
     }
     return finer;
 }
@@ -130,7 +120,7 @@ std::vector<Circle> finer_circles(const Level& level, const Rounds& coarse,
     std::vector<Circle> finer;
     for (const Circle& circle : control) finer.push_back({circle.centre, circle.axis, circle.radius, {}});
     for (const auto& [edge, circle] : coarse.edges) {
-        const auto [a, b] = ends(level, edge);
+        const auto [a, b] = ends_of(level, edge);
         finer[circle].edges.push_back({a, level.edge_point(edge)});
         finer[circle].edges.push_back({level.edge_point(edge), b});
     }

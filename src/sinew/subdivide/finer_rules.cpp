@@ -5,12 +5,6 @@ namespace {
 
 using Index = std::uint32_t;
 
-std::array<Index, 2> ends(const Level& level, Index edge) {
-    std::array<Index, 2> result{};
-    with_faces(level, [&](const auto& faces) { result = ends_of(level, faces, edge); });
-    return result;
-}
-
 /// Vertices that were sharp before, as far as they still are.
 void keep_vertices(const Level& level, const Sharpness& coarse, Sharpness& finer) {
     for (std::size_t i = 0; i < coarse.vertices.size(); ++i) {
@@ -32,7 +26,7 @@ void add_vertices(const Level& level, const Sharpness& coarse, Sharpness& finer)
     for (const auto& [edge, coarse_sharpness, listed] : coarse.edges) {
         const float sharpness = finer_sharpness(coarse_sharpness);
         if (!(sharpness > 0)) continue;
-        const auto [a, b] = ends(level, edge);
+        const auto [a, b] = ends_of(level, edge);
         finer.edges.push_back({2 * edge, sharpness, listed});
         finer.edges.push_back({2 * edge + 1, sharpness, listed});
         finer.spokes.push_back({2 * edge, a, sharpness});
@@ -53,7 +47,7 @@ std::array<Index, 2> slots_at_pole(const Level& level, Index triangle) {
 
 void add_circle_edge(const Level& level, const CircleEdge& place, Rounds& finer) {
     const auto [edge, circle] = place;
-    const auto [a, b] = ends(level, edge);
+    const auto [a, b] = ends_of(level, edge);
     finer.edges.push_back({2 * edge, circle});
     finer.edges.push_back({2 * edge + 1, circle});
     finer.vertices.push_back({level.edge_point(edge), circle, a, b, 2 * edge, 2 * edge + 1});

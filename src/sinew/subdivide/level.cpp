@@ -1,21 +1,13 @@
 #include "sinew/subdivide/level.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+
+#include "sinew/subdivide/parallel.h"
 
 namespace sinew {
 namespace {
 
 using Index = std::uint32_t;
-
-template <class Body>
-void for_each_in_parallel(Index count, const Body& body) {
-    tbb::parallel_for(tbb::blocked_range<Index>(0, count, 2048), [&](const tbb::blocked_range<Index>& range) {
-        for (Index i = range.begin(); i < range.end(); ++i) body(i);
-    });
-}
 
 /// Brings a mesh and its topology into slots: as half-edges, but a fan's triangle starts at the pole and has
 /// a fourth.

@@ -108,6 +108,12 @@ std::array<std::uint32_t, 2> ends_of(const Level& level, const Faces& faces, std
     return {level.corners[slot], level.corners[faces.next(slot)]};
 }
 
+inline std::array<std::uint32_t, 2> ends_of(const Level& level, std::uint32_t edge) {
+    std::array<std::uint32_t, 2> ends{};
+    with_faces(level, [&](const auto& faces) { ends = ends_of(level, faces, edge); });
+    return ends;
+}
+
 /// Slots of the finer level at the new point of an edge, counter-clockwise: four, or two (the rest no_index).
 template <class Faces>
 std::array<std::uint32_t, 4> ring_of_edge_point(const Level& level, const Faces& faces, std::uint32_t edge) {

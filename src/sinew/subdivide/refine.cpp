@@ -3,19 +3,13 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "sinew/subdivide/parallel.h"
 #include "sinew/subdivide/rings.h"
 
 namespace sinew {
 namespace {
 
 using Index = std::uint32_t;
-
-template <class Body>
-void for_each_in_parallel(std::size_t count, const Body& body) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 2048), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
-    });
-}
 
 Vec3 wide(const Vec3f& point) { return point.cast<double>(); }
 
