@@ -46,6 +46,8 @@ gl::FrameBlock frame_block(const Camera& camera, int width, int height, const Dr
     return frame;
 }
 
+}  // namespace
+
 /// What the maps of the sky depend on beside the scene itself.
 struct SkyKey {
     Vec3f key = Vec3f::Zero();
@@ -55,8 +57,6 @@ struct SkyKey {
         return key == other.key && mesh == other.mesh && glyphs == other.glyphs;
     }
 };
-
-}  // namespace
 
 struct GlScene::State {
     gl::MeshDrawing mesh;

@@ -12,7 +12,7 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr int steps = 16;
+constexpr int fit_steps = 16;
 
 /// How a vertex may move: along a line, or in the plane at right angles to one; along none it stays.
 struct Freedom {
@@ -226,7 +226,7 @@ class Fitter {
 
     std::vector<Vec3> iterate(const LimitStencils& stencils) const {
         std::vector<Vec3> control = targets_, limit(targets_.size());
-        for (int step = 0; step < steps; ++step) {
+        for (int step = 0; step < fit_steps; ++step) {
             limit_positions(stencils, std::span<const Vec3>(control), limit);
             tbb::parallel_for(tbb::blocked_range<std::size_t>(0, control.size(), 4096),
                               [&](const auto& range) {
