@@ -1,5 +1,5 @@
 # Several files a compilation: headers of others and their templates are then compiled once instead of for each file, which
-# takes less than half of the time. For builds from nothing (tools/test); where one file changes at a time it only costs.
+# is most of what a file costs. For builds from nothing (tools/test); where one file changes at a time it only costs.
 # Each file still includes what it uses: the presets build without it.
 option(SINEW_UNITY "Compile several files at once" OFF)
 if(SINEW_UNITY)

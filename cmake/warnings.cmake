@@ -1,6 +1,9 @@
 # The flags that every target of the project, and none of its users, is built with.
 add_library(sinew_flags INTERFACE)
 target_compile_options(sinew_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers)
+if(SINEW_UNITY)
+    target_compile_options(sinew_flags INTERFACE -Wno-shadow)  # of what another file of the same compilation has
+endif()
 # The same bytes on every machine: no fused multiply-add behind the code's back.
 target_compile_options(sinew_flags INTERFACE -ffp-contract=off)
 if(SINEW_SANITIZE)
