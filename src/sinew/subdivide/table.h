@@ -7,9 +7,18 @@
 #include <utility>
 #include <vector>
 
-#include "sinew/base/large_array.h"
-
 namespace sinew {
+
+/// Asks the system to back fresh memory by large pages, where there is enough of it to matter: half of the
+/// time of filling a large array is else spent on one page fault for every 4 KiB. Changes nothing but speed.
+void prefer_large_pages(void* begin, std::size_t bytes);
+
+/// Gives an empty vector room, in large pages.
+template <class T>
+void reserve_large(std::vector<T>& list, std::size_t size) {
+    list.reserve(size);
+    prefer_large_pages(list.data(), size * sizeof(T));
+}
 
 /// Allocates for a vector that does not write zeros first to what is filled in afterwards.
 template <class T>
@@ -21,7 +30,7 @@ struct TableAllocator : std::allocator<T> {
 
     T* allocate(std::size_t size) {
         T* const begin = std::allocator<T>::allocate(size);
-        advise_large_pages(begin, size * sizeof(T));
+        prefer_large_pages(begin, size * sizeof(T));
         return begin;
     }
     template <class U>
