@@ -80,6 +80,25 @@ TEST(Condition, MergesANestedBallIntoItsNeighbour) {
     EXPECT_EQ(graph.warnings[0].nodes, std::vector<std::int64_t>{11});
 }
 
+TEST(Condition, LeavesANodeOnAllRunsButOneBetweenTheSameTwo) {
+    Document d = chain({{{0, 0, 0}, 0.3}, {{0, 0, -1}, 1}});
+    for (int i = 0; i < 5; ++i) {
+        Node node;
+        node.id = 20 + i;
+        node.parent = 1;
+        node.position = {0.7 * std::cos(i), 0.7 * std::sin(i), -0.6};
+        node.radius = 0.25;
+        d.nodes.push_back(node);
+        d.links.push_back({i + 2, 0});
+    }
+    const CleanGraph graph = condition(d, {.repair = true});
+    EXPECT_EQ(counts_of(graph).cycles, 5);
+    std::vector<Bone> bones = graph.bones;
+    for (Bone& bone : bones) std::sort(bone.begin(), bone.end());
+    std::sort(bones.begin(), bones.end());
+    EXPECT_EQ(std::adjacent_find(bones.begin(), bones.end()), bones.end());
+}
+
 TEST(Condition, KeepsComponentsAndCyclesWhenItRepairs) {
     Document d;  // a ring of many nodes, all nearly within one ball, and a ball alone
     for (int i = 0; i < 40; ++i) {

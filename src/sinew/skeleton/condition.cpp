@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <queue>
+#include <set>
 
 namespace sinew {
 namespace {
@@ -230,6 +231,7 @@ class Repair {
             if (side_[b][0] >= 0 && beyond(b) == a) return false;
             return true;
         }
+        if (shortened_.count(std::minmax(a, b))) return false;
         const std::int32_t fewer = adjacent.degree(a) < adjacent.degree(b) ? a : b;
         for (const std::int32_t bone : adjacent.bones(fewer)) {
             if (gone_[bone]) continue;
@@ -242,6 +244,8 @@ class Repair {
     void remove(std::int32_t i) {
         const std::int32_t keep = std::min(side_[i][0], side_[i][1]),
                            drop = std::max(side_[i][0], side_[i][1]);
+        const std::int32_t a = other(i, 0), b = other(i, 1);
+        if (side_[a][0] < 0 && side_[b][0] < 0) shortened_.insert(std::minmax(a, b));
         const std::int32_t far = bones_[drop][0] == i ? bones_[drop][1] : bones_[drop][0];
         for (std::int32_t& end : bones_[keep])
             if (end == i) end = far;
@@ -278,6 +282,7 @@ class Repair {
     std::vector<std::int32_t> source_;  // bone -> source bone
     std::vector<std::array<std::int32_t, 2>> side_;
     std::vector<std::uint8_t> gone_;
+    std::set<std::pair<std::int32_t, std::int32_t>> shortened_;  // ends of runs that are one bone now
     Warnings warnings_;
 };
 
