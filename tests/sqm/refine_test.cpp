@@ -106,6 +106,17 @@ TEST(Refine, RectanglesHaveFourEvenSides) {
     EXPECT_EQ(s.refinement.path_sides[0] % 4, 0);
 }
 
+TEST(Refine, RectanglesInAMirrorHaveAVertexInTheMiddleOfTheirSides) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 0.4);
+    d.nodes[add(d, 0, {0, 3, 0}, 0.4)].section = Section::rectangular;
+    for (const double side : {-2.0, 2.0}) add(d, 0, {side, -1, 0}, 0.3);
+    const Stages s(d);
+    expect_agreement(s);
+    ASSERT_TRUE(s.images.any());
+    EXPECT_EQ(s.refinement.path_sides, (std::vector<std::int32_t>{8, 6, 6}));  // 4 + 4, 4 + 2, 4 + 2
+}
+
 TEST(Refine, StopsOnRequest) {
     const std::atomic<bool> stop{true};
     const Plain skeleton = plain_of(cube_of_struts());

@@ -91,6 +91,25 @@ TEST(Skin, TellsOfItsProgressAndStopsOnRequest) {
     EXPECT_EQ(skin.error().kind, ErrorKind::cancelled);
 }
 
+TEST(Skin, IsSymmetricRoundOutlinesInTheMirror) {
+    for (const bool cube : {true, false}) {
+        Document d;
+        add(d, -1, {0, 0, 0}, 0.4);
+        add(d, 0, {0, 3, 0}, 0.4);
+        add(d, 0, {2, -1, 0}, 0.3);
+        d.nodes[1].type = cube ? NodeType::cube : NodeType::sphere;
+        d.nodes[1].section = cube ? Section::round : Section::rectangular;
+        std::vector<Vec3f> places = sinew::skin(sqm::mirrored(d)).value().mesh.positions, images = places;
+        for (Vec3f& p : images) p.x() = 0 - p.x();
+        const auto less = [](const Vec3f& a, const Vec3f& b) {
+            return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+        };
+        std::sort(places.begin(), places.end(), less);
+        std::sort(images.begin(), images.end(), less);
+        EXPECT_EQ(places, images);
+    }
+}
+
 TEST(Skin, NamesTheDrawnNodeOfAnImage) {
     Document d;
     add(d, -1, {0, 0, 0}, 0.4);

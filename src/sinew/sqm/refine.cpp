@@ -258,6 +258,8 @@ class Refiner {
                 const std::int32_t c = joint.first_cell() + slot, step = joint.step(c);
                 least_[path] = std::max(least_[path], joint.least(c));
                 step_[path] = std::lcm(step_[path], step);
+                if (step > 1 && !is_box(j) && has_sides_across_mirror(path))
+                    step_[path] = std::lcm(step_[path], 8);
             });
         }
         for (std::int32_t p = 0; p < n_.path_count(); ++p) least_[p] = round_up(least_[p], step_[p]);
@@ -328,6 +330,27 @@ class Refiner {
             if (!form) continue;
             if (form->kind == Form::Kind::box) return true;
             if (form->kind == Form::Kind::ring && form->section == Section::rectangular) return true;
+        }
+        return false;
+    }
+
+    bool is_box(std::int32_t joint) const {
+        const Form* form = skeleton_.form(n_.joint_node[joint]);
+        return form && form->kind == Form::Kind::box;
+    }
+    /// Where a path lies in the mirror, the rings of its joints have a vertex in it on either side, so an
+    /// outline whose sides cross the mirror needs one in the middle of each side.
+    bool has_sides_across_mirror(std::int32_t path) const {
+        if (!corners_[path] || !images_.reverses) return false;
+        const Mat3& mirror = images_.generator;
+        for (const std::int32_t node : n_.nodes(path)) {
+            const Form* form = skeleton_.form(node);
+            const bool outline =
+                form && (form->kind == Form::Kind::box ||
+                         (form->kind == Form::Kind::ring && form->section == Section::rectangular));
+            if (outline &&
+                ((mirror * form->x + form->x).norm() < 1e-6 || (mirror * form->y + form->y).norm() < 1e-6))
+                return true;
         }
         return false;
     }
