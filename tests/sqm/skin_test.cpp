@@ -1,5 +1,7 @@
 #include "sinew/sqm/skin.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -66,6 +68,26 @@ TEST(Skin, IsTheSameBytesAgain) {
     ASSERT_EQ(a.positions.size(), b.positions.size());
     EXPECT_EQ(std::memcmp(a.positions.data(), b.positions.data(), a.positions.size() * sizeof(Vec3f)), 0);
     EXPECT_EQ(a.corners, b.corners);
+}
+
+TEST(Skin, IsTheSameBytesForAnyNumberOfThreads) {
+    property::Random random(11);
+    const Document tree = sqm::random_tree(random, 8);  // joints and paths for many chunks
+    const auto skin_on = [&](int threads) {
+        tbb::task_arena arena(threads);
+        return arena.execute([&] { return sinew::skin(tree).value().mesh; });
+    };
+    const QuadMesh alone = skin_on(1);
+    ASSERT_GT(alone.vertex_count(), 10'000u);
+    for (const int threads : {2, 3, 8}) {
+        const QuadMesh mesh = skin_on(threads);
+        EXPECT_EQ(alone.positions, mesh.positions) << threads;
+        EXPECT_EQ(alone.corners, mesh.corners) << threads;
+        EXPECT_EQ(alone.face_offsets, mesh.face_offsets) << threads;
+        EXPECT_EQ(alone.vertex_node, mesh.vertex_node) << threads;
+        EXPECT_EQ(alone.vertex_bone, mesh.vertex_bone) << threads;
+        EXPECT_EQ(alone.vertex_along, mesh.vertex_along) << threads;
+    }
 }
 
 TEST(Skin, RefusesWhatMakesNoSense) {
