@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "sinew/skeleton/edit.h"
 #include "sinew/skeleton/graph.h"
 
 namespace sinew::modeler {
@@ -15,33 +16,6 @@ std::vector<std::int32_t> degrees_of(const Document& document) {
     for (const Bone& bone : bones_of(document))
         for (std::int32_t node : bone) ++degrees[node];
     return degrees;
-}
-
-/// Keeps the nodes that `new_index` gives a place, and with them names, extras and links.
-void keep(Document& document, const std::vector<std::int32_t>& new_index) {
-    Document old = std::move(document);
-    document = {};
-    document.unit = old.unit;
-    document.symmetry = old.symmetry;
-    document.extra = old.extra;
-    for (std::size_t i = 0; i < old.nodes.size(); ++i) {
-        if (new_index[i] < 0) continue;
-        document.nodes.push_back(old.nodes[i]);
-        if (!old.names.empty()) document.names.push_back(old.names[i]);
-        if (!old.extras.empty()) document.extras.push_back(old.extras[i]);
-    }
-    for (Node& node : document.nodes)
-        if (node.parent >= 0) node.parent = new_index[node.parent];
-    for (auto [a, b] : old.links)
-        if (new_index[a] >= 0 && new_index[b] >= 0) document.links.push_back({new_index[a], new_index[b]});
-}
-
-std::vector<std::int32_t> places_without(const Document& document, const Selection& gone) {
-    std::vector<std::int32_t> places(document.nodes.size());
-    std::int32_t next = 0;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        places[i] = gone.contains(static_cast<std::int32_t>(i)) ? -1 : next++;
-    return places;
 }
 
 bool for_leaves_only(NodeType type) {
@@ -119,61 +93,40 @@ Edited add_children(Document document, std::span<const std::int32_t> parents) {
     return {std::move(document), selection_of(children)};
 }
 
-Edited insert_on_bone(Document document, std::int32_t bone, double along) {
-    const auto [first, second] = bones_of(document)[bone];
-    const Node &a = document.nodes[first], &b = document.nodes[second];
-    Node node = descendant_of(a);
-    node.id = -1;
-    node.position = (1 - along) * a.position + along * b.position;
-    node.radius = (1 - along) * a.radius + along * b.radius;
-    node.section = a.section == b.section ? a.section : Section::round;
-    for (int i = 0; i < 2; ++i) node.scale[i] = (1 - along) * a.scale[i] + along * b.scale[i];
-    node.parent = first;
-    const std::int32_t middle = append_node(document, node);
-    const std::int32_t bones_to_parents =
-        static_cast<std::int32_t>(bones_of(document).size() - document.links.size()) - 1;
-    if (bone < bones_to_parents)
-        document.nodes[second].parent = middle;
-    else
-        document.links[bone - bones_to_parents] = {middle, second};
-    return {std::move(document), selection_of(middle)};
+Edited insert_on_bone(const Document& document, std::int32_t bone, double along) {
+    Result<Document> inserted = sinew::insert_on_bone(document, bone, along);
+    if (!inserted) return {document, {}};
+    const auto last = static_cast<std::int32_t>(inserted->nodes.size()) - 1;
+    return {std::move(*inserted), selection_of(last)};
 }
 
-namespace {
-
-/// For each node its nearest ancestor that stays. Where none does, the first child of the lost root takes its
-/// place.
-std::vector<std::int32_t> heirs_without(const Document& document, const Selection& gone) {
-    std::vector<std::int32_t> heirs(document.nodes.size());
-    std::map<std::int32_t, std::int32_t> new_root;
-    for (std::int32_t i = 0; i < std::ssize(document.nodes); ++i) {
-        std::int32_t lost = -1, parent = document.nodes[i].parent;
-        while (parent >= 0 && gone.contains(parent)) {
-            lost = parent;
-            parent = document.nodes[parent].parent;
-        }
-        heirs[i] = parent;
-        if (parent >= 0 || lost < 0 || gone.contains(i)) continue;
-        const auto [root, first] = new_root.emplace(lost, i);
-        if (!first) heirs[i] = root->second;
+Edited insert_on_bones(Document document, std::span<const std::int32_t> bones) {
+    // Inserting moves the other bones in their list, but not the nodes at their ends.
+    std::vector<Bone> ends;
+    for (std::int32_t bone : bones) ends.push_back(bones_of(document)[bone]);
+    std::vector<std::int32_t> fresh;
+    for (const Bone& pair : ends) {
+        const std::vector<Bone> now = bones_of(document);
+        const auto place = std::find(now.begin(), now.end(), pair);
+        if (place == now.end()) continue;
+        Edited edit = modeler::insert_on_bone(document, static_cast<std::int32_t>(place - now.begin()), 0.5);
+        document = std::move(edit.document);
+        fresh.push_back(edit.selection.active);
     }
-    return heirs;
+    return {std::move(document), selection_of(fresh)};
 }
 
-}  // namespace
-
-Edited erase_nodes(Document document, const Selection& nodes) {
-    const std::vector<std::int32_t> heirs = heirs_without(document, nodes);
-    Selection next;
-    if (nodes.active >= 0 && heirs[nodes.active] >= 0) next = selection_of(heirs[nodes.active]);
-    for (std::size_t i = 0; i < heirs.size(); ++i) document.nodes[i].parent = heirs[i];
-    const std::vector<std::int32_t> places = places_without(document, nodes);
-    keep(document, places);
-    tidy(document);
-    return {std::move(document), remapped(next, places)};
+Edited erase_nodes(const Document& document, const Selection& nodes) {
+    if (nodes.empty()) return {document, {}};
+    // What is left of a limb is selected, so that one can go on deleting towards the root.
+    std::int32_t next = nodes.active;
+    while (next >= 0 && nodes.contains(next)) next = document.nodes[next].parent;
+    Document rest = dissolve(document, nodes.nodes);
+    Selection selection = next < 0 ? Selection{} : carried(document, selection_of(next), rest);
+    return {std::move(rest), std::move(selection)};
 }
 
-Edited erase_branches(Document document, const Selection& nodes) {
+Edited erase_branches(const Document& document, const Selection& nodes) {
     return erase_nodes(document, with_descendants(document, nodes));
 }
 

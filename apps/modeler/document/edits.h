@@ -36,15 +36,17 @@ Edited add_root(Document document, const Vec3& position, double radius);
 /// order of their parents.
 Edited add_children(Document document, std::span<const std::int32_t> parents);
 
-/// A node on a bone (an index into bones_of), at the share `along` of it, its radius interpolated.
-Edited insert_on_bone(Document document, std::int32_t bone, double along);
+/// A node on a bone (an index into bones_of), at the share `along` of it, its radius interpolated; selected.
+Edited insert_on_bone(const Document& document, std::int32_t bone, double along);
+/// One in the middle of each.
+Edited insert_on_bones(Document document, std::span<const std::int32_t> bones);
 
-/// Takes nodes out. Children of a node that goes hang on its nearest ancestor that stays, those of a lost
-/// root on the first of them: a deletion never tears off a limb.
-Edited erase_nodes(Document document, const Selection& nodes);
+/// Takes nodes out; what they joined stays joined (see dissolve in skeleton/edit.h), so that a deletion never
+/// tears off a limb. The nearest ancestor that stays is selected.
+Edited erase_nodes(const Document& document, const Selection& nodes);
 
 /// Takes nodes and everything below them out.
-Edited erase_branches(Document document, const Selection& nodes);
+Edited erase_branches(const Document& document, const Selection& nodes);
 
 /// Copies with the bones and links among them; a copy whose parent is not copied is a child of that parent.
 Edited duplicate(Document document, const Selection& nodes);

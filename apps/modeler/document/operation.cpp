@@ -140,17 +140,4 @@ Operation making_symmetry_real(Document document) {
             "There is no symmetry"};
 }
 
-Selection carried(const Document& before, const Selection& selection, const Document& after) {
-    std::vector<std::pair<std::int64_t, std::int32_t>> places;
-    for (std::int32_t i = 0; i < std::ssize(after.nodes); ++i) places.emplace_back(after.nodes[i].id, i);
-    std::sort(places.begin(), places.end());
-    std::vector<std::int32_t> new_index(before.nodes.size(), -1);
-    for (std::int32_t node : selection.nodes) {
-        const auto place =
-            std::lower_bound(places.begin(), places.end(), std::pair(before.nodes[node].id, -1));
-        if (place != places.end() && place->first == before.nodes[node].id) new_index[node] = place->second;
-    }
-    return remapped(selection, new_index);
-}
-
 }  // namespace sinew::modeler

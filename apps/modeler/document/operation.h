@@ -58,7 +58,4 @@ Operation snapping_to_angles(Document document, const Selection& selection);
 /// The images that the symmetry stands for become nodes; the symmetry goes.
 Operation making_symmetry_real(Document document);
 
-/// The same nodes, found by their ids.
-Selection carried(const Document& before, const Selection& selection, const Document& after);
-
 }  // namespace sinew::modeler

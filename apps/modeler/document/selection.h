@@ -48,4 +48,7 @@ Selection stepped(const Document& document, const Selection& selection, Step ste
 /// The same nodes where `new_index[old]` says where each went (-1: gone).
 Selection remapped(const Selection& selection, std::span<const std::int32_t> new_index);
 
+/// The same nodes, found by their ids.
+Selection carried(const Document& before, const Selection& selection, const Document& after);
+
 }  // namespace sinew::modeler

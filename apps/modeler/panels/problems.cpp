@@ -85,7 +85,12 @@ void Problems::refresh() {
     // While the document is unsound the mesher says the same once more.
     if (mesh_ && mesh_->error && found.empty() && !model_.document().nodes.empty())
         add(Weight::error, text_of(*mesh_->error), ids_of(*mesh_->error));
-    for (const Warning& warning : reading_) add(Weight::warning, warning.message, warning.nodes);
+    const auto said = [&](const Warning& warning) {
+        return std::any_of(found.begin(), found.end(),
+                           [&](const Error& e) { return e.message == warning.message; });
+    };
+    for (const Warning& warning : reading_)
+        if (!said(warning)) add(Weight::warning, warning.message, warning.nodes);
     if (mesh_)
         for (const Warning& warning : mesh_->warnings) add(Weight::warning, warning.message, warning.nodes);
     if (counted) counted(count());

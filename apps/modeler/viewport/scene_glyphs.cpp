@@ -81,12 +81,23 @@ Glyphs scene_glyphs(const Document& document, const Glyphing& glyphs, const Sele
     return scene;
 }
 
-std::optional<PlaneMark> mirror_plane(const Document& document, float reach) {
-    if (document.symmetry.kind != Symmetry::Kind::mirror) return std::nullopt;
+std::optional<PlaneMark> mirror_plane(const Document& document) {
+    if (document.symmetry.kind != Symmetry::Kind::mirror || document.nodes.empty()) return std::nullopt;
     const int axis = document.symmetry.axis;
+    Eigen::AlignedBox3d box(Vec3::Zero());
+    double thickest = 0;
+    for (const Node& node : document.nodes) {
+        Vec3 there = node.position;
+        there[axis] = 0;
+        box.extend(there);
+        thickest = std::max(thickest, node.radius);
+    }
+    const Vec3 half = box.sizes() / 2 + Vec3::Constant(0.05 * box.diagonal().norm() + 1.6 * thickest);
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     PlaneMark plane;
-    plane.u = reach * Vec3f::Unit((axis + 1) % 3);
-    plane.v = reach * Vec3f::Unit((axis + 2) % 3);
+    plane.origin = to_float(box.center());
+    plane.u = static_cast<float>(half[u]) * Vec3f::Unit(u);
+    plane.v = static_cast<float>(half[v]) * Vec3f::Unit(v);
     plane.tint = {72, 196, 120, 16};
     plane.line = {96, 214, 140, 100};
     return plane;

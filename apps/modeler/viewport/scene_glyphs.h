@@ -29,7 +29,7 @@ Glyphs scene_glyphs(const Document& document, const Glyphing& glyphs, const Sele
                     const Hit& hovered, std::uint8_t alpha = 255);
 
 /// The green plane of a mirror, large enough for the model.
-std::optional<PlaneMark> mirror_plane(const Document& document, float reach);
+std::optional<PlaneMark> mirror_plane(const Document& document);
 
 /// The ground with a grid whose cells fit the model.
 PlaneMark ground_plane(float reach);

@@ -42,10 +42,11 @@ void SceneView::update_glyphs(const Model& model, Interaction& tools, bool insid
 void SceneView::update_planes(const Model& model, const ViewSettings& view) {
     if (planes_revision_ == model.revision() && planes_grid_ == view.grid) return;
     // While one drags outwards the ground and the plane stay as large as they were.
-    if (!model.previewing() || ground_reach_ == 0) ground_reach_ = reach_of(model.document());
+    const Document& document = model.before_drag();
+    if (!model.previewing() || ground_reach_ == 0) ground_reach_ = reach_of(document);
     std::vector<PlaneMark> planes;
     if (view.grid) planes.push_back(ground_plane(ground_reach_));
-    if (auto mirror = mirror_plane(model.document(), ground_reach_)) planes.push_back(*mirror);
+    if (auto mirror = mirror_plane(document)) planes.push_back(*mirror);
     surface_.set_planes(planes);
     skeleton_.set_planes(planes);
     planes_revision_ = model.revision();

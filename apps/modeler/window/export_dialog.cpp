@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -20,6 +19,7 @@
 #include <thread>
 
 #include "document/view_settings.h"
+#include "panels/number_box.h"
 #include "sinew/io/formats.h"
 
 namespace sinew::modeler {
@@ -59,7 +59,8 @@ class ExportDialog : public QDialog {
     QSpinBox* level_ = new QSpinBox;
     QSpinBox* sides_ = new QSpinBox;
     QCheckBox* limit_ = new QCheckBox("Radii are those of the subdivided surface");
-    QDoubleSpinBox* metres_ = new QDoubleSpinBox;
+    QCheckBox* text_ = new QCheckBox("As text, not binary");
+    NumberBox* metres_ = new NumberBox;
     QLabel* note_ = new QLabel;
     bool repair_;
 };
@@ -84,23 +85,28 @@ ExportDialog::ExportDialog(QWidget* parent, const Document& document, const Mesh
     sides_->setSpecialValueText("as few as possible");
     sides_->setValue(start.sides);
     limit_->setChecked(start.to_limit);
-    metres_->setDecimals(9);
+    text_->setObjectName("export_text");
     metres_->setRange(1e-9, 1e6);
     metres_->setValue(metres_in(document.unit));
-    metres_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    note_->setStyleSheet("color: #98a0ad");
+    metres_->setSuffix(" m");
+    note_->setProperty("dim", true);
 
     auto* form = new QFormLayout(this);
-    form->addRow("Format", format_);
+    form->setContentsMargins(16, 14, 16, 14);
+    form->setHorizontalSpacing(12);
+    form->setVerticalSpacing(8);
+    form->addRow(form_label("Format"), format_);
     auto* file = new QHBoxLayout;
+    file->setSpacing(8);
     auto* browse = new QPushButton("Browse...");
     file->addWidget(path_);
     file->addWidget(browse);
-    form->addRow("File", file);
-    form->addRow("Subdivision", level_);
+    form->addRow(form_label("File"), file);
+    form->addRow(form_label("Subdivision"), level_);
     form->addRow("", limit_);
-    form->addRow("Sides of a tube", sides_);
-    form->addRow("Metres a unit", metres_);
+    form->addRow(form_label("Sides of a tube"), sides_);
+    form->addRow(form_label("One unit is"), metres_);
+    form->addRow("", text_);
     form->addRow("", note_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     buttons->button(QDialogButtonBox::Ok)->setText("Export");
@@ -130,7 +136,8 @@ void ExportDialog::follow_format() {
     if (!format().carries.creases && level_->value() == 0) notes << "Creases are not kept";
     note_->setText(notes.join(". "));
     metres_->setEnabled(format().carries.units);
-    limit_->setEnabled(true);
+    limit_->setEnabled(level_->value() > 0);
+    text_->setEnabled(format().name == "ply");
 }
 
 Wish ExportDialog::wish() const {
@@ -139,6 +146,7 @@ Wish ExportDialog::wish() const {
     wish.mesh = {level_->value(), limit_->isChecked(), sides_->value(), repair_};
     wish.write.format = std::string(format().name);
     wish.write.metres_a_unit = metres_->value();
+    wish.write.ascii = text_->isEnabled() && text_->isChecked();
     QSettings().setValue("export/folder", QFileInfo(wish.path).absolutePath());
     QSettings().setValue("export/format", format_->currentIndex());
     return wish;

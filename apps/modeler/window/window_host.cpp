@@ -123,22 +123,8 @@ void WindowHost::insert_node() {
     }
     const std::vector<std::int32_t> bones = bones_of_selection(model.document(), model.selection());
     if (bones.empty()) return message("Point at a bone, or select a node below one");
-    Document next = model.document();
-    std::vector<std::int32_t> fresh;
-    // Inserting keeps the order of the bones but for the new ones, so work from ends that stay: the pair of
-    // nodes.
-    for (const Bone& pair : [&] {
-             std::vector<Bone> pairs;
-             for (std::int32_t b : bones) pairs.push_back(bones_of(model.document())[b]);
-             return pairs;
-         }()) {
-        const std::vector<Bone> now = bones_of(next);
-        const auto place = std::find(now.begin(), now.end(), pair);
-        Edited edit = insert_on_bone(std::move(next), static_cast<std::int32_t>(place - now.begin()), 0.5);
-        next = std::move(edit.document);
-        fresh.push_back(edit.selection.active);
-    }
-    model.apply("Insert", std::move(next), selection_of(fresh));
+    Edited edit = insert_on_bones(model.document(), bones);
+    model.apply("Insert", std::move(edit.document), std::move(edit.selection));
 }
 
 void WindowHost::rename_active() {
