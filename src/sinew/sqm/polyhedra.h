@@ -21,7 +21,9 @@ namespace sinew::sqm {
 
 /// The cells of all joints, in flat arrays with indices that count through all joints.
 /// Cell cell_first[j] + s is that of slot s of joint j; the cells after those of the slots, if any, have no
-/// bone: they were added to part crowded vertices and are closed with a fan.
+/// bone: they were added to part crowded vertices and are closed with a fan. The pole of such a fan has as
+/// many edges as vertices round its cell, on a star of many bones in a plane one a bone; all other vertices
+/// of a joint have at most 12.
 struct Polyhedra {
     std::vector<std::int32_t> cell_first, vertex_first,
         arc_first;               ///< joint -> first one; joints + 1 entries
