@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "sinew/grow/grow.h"
+#include "sinew/io/skeleton_formats.h"
 
 namespace sinew::bench {
 namespace {
@@ -34,27 +35,6 @@ Document by_depth(const Document& grown, std::int32_t nodes) {
         node.id = i;
         if (node.parent >= 0) node.parent = place[node.parent];
         document.nodes.push_back(std::move(node));
-    }
-    return document;
-}
-
-Document read_graph(const std::filesystem::path& path) {
-    Document document;
-    std::ifstream file(path);
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream fields(line);
-        std::string kind;
-        fields >> kind;
-        if (kind == "n") {
-            Node node;
-            node.id = static_cast<std::int64_t>(document.nodes.size());
-            fields >> node.position.x() >> node.position.y() >> node.position.z() >> node.radius;
-            document.nodes.push_back(node);
-        } else if (kind == "c") {
-            std::array<std::int32_t, 2> link{};
-            fields >> link[0] >> link[1];
-            if (link[0] != link[1]) document.links.push_back(link);
-        }
     }
     return document;
 }
@@ -104,7 +84,7 @@ std::vector<Model> real_models() {
              {"vessels, brain", "vascular/VessMorphoVis__BG0002.CNG.graph"},
          })
         if (const auto path = folder / file; std::filesystem::exists(path))
-            models.push_back({name, [path] { return read_graph(path); }, true});
+            models.push_back({name, [path] { return read_skeleton(path.string()).value().document; }, true});
     return models;
 }
 

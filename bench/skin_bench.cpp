@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <limits>
 #include <map>
 #include <memory>
 #include <thread>
@@ -101,17 +100,22 @@ void skin_model(benchmark::State& state, const Model& model, int threads) {
     least.fill(1e300);
     double total = 1e300, copy = 0, vertices = 0;
     for (auto _ : state) {
-        const double begin = now();
-        StageClock clock(now);
-        const auto skin = sinew::skin(document, {.repair = model.repair},
-                                      Progress([&](double, std::string_view stage) { clock.enter(stage); }));
-        const double time = now() - begin;
-        state.SetIterationTime(time * 1e-9);
-        if (!skin) return state.SkipWithError(skin.error().text().c_str());
-        total = std::min(total, time);
-        for (std::size_t s = 0; s < stages.size(); ++s) least[s] = std::min(least[s], clock.times()[s]);
-        vertices = static_cast<double>(skin->mesh.vertex_count());
-        if (copy == 0) copy = copy_time(skin->mesh, now);
+        double spent = 0;
+        for (int round = 0; round < 3; ++round) {  // the first one of a large model meets memory that is new
+            const double begin = now();
+            StageClock clock(now);
+            const auto skin =
+                sinew::skin(document, {.repair = model.repair},
+                            Progress([&](double, std::string_view stage) { clock.enter(stage); }));
+            const double time = now() - begin;
+            if (!skin) return state.SkipWithError(skin.error().text().c_str());
+            spent += time;
+            total = std::min(total, time);
+            for (std::size_t s = 0; s < stages.size(); ++s) least[s] = std::min(least[s], clock.times()[s]);
+            vertices = static_cast<double>(skin->mesh.vertex_count());
+            if (copy == 0) copy = copy_time(skin->mesh, now);
+        }
+        state.SetIterationTime(spent * 1e-9);
     }
     for (std::size_t s = 0; s < stages.size(); ++s)
         state.counters[std::string(stages[s])] = least[s] / vertices;
@@ -184,7 +188,7 @@ int main(int argc, char** argv) {
     using namespace sinew::bench;
 #ifdef __GLIBC__
     mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+    mallopt(M_TRIM_THRESHOLD, -1);  // never
 #endif
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

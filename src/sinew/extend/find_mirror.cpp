@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "sinew/extend/extend.h"
 
@@ -47,17 +47,15 @@ class MirrorSearch {
         return low == -high && (high == 0) == flat;
     }
     void sort_nodes() {
-        order_.resize(s_.position.size());
-        std::iota(order_.begin(), order_.end(), 0);
-        std::sort(order_.begin(), order_.end(),
-                  [&](auto a, auto b) { return key(a, false) < key(b, false); });
+        sorted_.reserve(s_.position.size());
+        for (std::int32_t i = 0; i < s_.node_count(); ++i) sorted_.emplace_back(key(i, false), i);
+        std::sort(sorted_.begin(), sorted_.end());
     }
     /// The one node with a key; -1 if there is none, or more than one, which could not be told apart.
     std::int32_t find(const Key& wanted) const {
-        const auto at = std::lower_bound(order_.begin(), order_.end(), wanted,
-                                         [&](std::int32_t i, const Key& k) { return key(i, false) < k; });
-        if (at == order_.end() || key(*at, false) != wanted) return -1;
-        return at + 1 != order_.end() && key(at[1], false) == wanted ? -1 : *at;
+        const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(wanted, std::int32_t{0}));
+        if (at == sorted_.end() || at->first != wanted) return -1;
+        return at + 1 != sorted_.end() && at[1].first == wanted ? -1 : at->second;
     }
     /// The outlines, which do not change when an axis is turned round, must be each other's reflection.
     bool forms_match(std::int32_t i, std::int32_t j) const {
@@ -76,7 +74,7 @@ class MirrorSearch {
 
     const Plain& s_;
     int axis_;
-    std::vector<std::int32_t> order_;
+    std::vector<std::pair<Key, std::int32_t>> sorted_;
 };
 
 }  // namespace

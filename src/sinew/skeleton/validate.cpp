@@ -158,13 +158,13 @@ void check_links(const Document& document, Finder& finder) {
     std::vector<std::pair<Bone, std::int32_t>> sorted;
     for (std::int32_t k = 0; k < std::ssize(document.links); ++k) {
         auto [a, b] = document.links[k];
-        const std::string path = fmt::format("/links/{}", k);
+        const auto path = [&] { return fmt::format("/links/{}", k); };
         if (!exists(document, a) || !exists(document, b)) {
-            finder.add(path, {}, "the link names a node that does not exist", "name two existing nodes");
+            finder.add(path(), {}, "the link names a node that does not exist", "name two existing nodes");
         } else if (a == b) {
-            finder.add(path, id_of(document, a), "the link joins the node to itself", "name two nodes");
+            finder.add(path(), id_of(document, a), "the link joins the node to itself", "name two nodes");
         } else if (document.nodes[a].parent == b || document.nodes[b].parent == a) {
-            finder.add(path, id_of(document, a),
+            finder.add(path(), id_of(document, a),
                        fmt::format("the link repeats the bone between {} and {}", id_of(document, a),
                                    id_of(document, b)),
                        "remove the link");
@@ -172,7 +172,7 @@ void check_links(const Document& document, Finder& finder) {
             sorted.push_back({{std::min(a, b), std::max(a, b)}, k});
         }
     }
-    std::ranges::sort(sorted);
+    if (!std::ranges::is_sorted(sorted)) std::ranges::sort(sorted);
     for (std::size_t k = 1; k < sorted.size(); ++k)
         if (sorted[k].first == sorted[k - 1].first)
             finder.add(fmt::format("/links/{}", sorted[k].second), id_of(document, sorted[k].first[0]),
