@@ -18,7 +18,7 @@ namespace {
 QString exported(Robot& robot, const TemporaryFolder& folder, int format, int level) {
     QString path;
     robot.when_dialog("export_dialog", [&](QDialog& dialog) {
-        dialog.findChild<QLineEdit*>("export_path")->setText(folder.file("part"));
+        dialog.findChild<QLineEdit*>("export_path")->setText(QString::fromStdString(folder.file("part")));
         dialog.findChild<QComboBox*>("export_format")->setCurrentIndex(format);
         // Another format changes the ending of the name; choosing the one that is chosen does not.
         dialog.findChild<QSpinBox*>("export_level")->setValue(level + 1);
