@@ -14,7 +14,7 @@ EXAMPLES = pathlib.Path(__file__).resolve().parent.parent.parent / "examples"
 class Skeleton:
     def __init__(self, unit="m", mirrored=False):
         self.unit = unit
-        self.mirrored = mirrored
+        self.symmetry = {"mirror": "x"} if mirrored else None
         self.nodes = []
         self.links = []
 
@@ -53,9 +53,9 @@ class Skeleton:
 
     def save(self, name):
         """Writes NAME.sinew, a node a line, into the folder named on the command line or else into examples/."""
-        lines = ['"format": "sinew"', '"version": 1', f'"unit": {json.dumps(self.unit)}']
-        if self.mirrored:
-            lines.append('"symmetry": {"mirror": "x"}')
+        lines = ['"format": "sinew"', '"version": 1'] + ([f'"unit": {json.dumps(self.unit)}'] if self.unit else [])
+        if self.symmetry:
+            lines.append(f'"symmetry": {json.dumps(self.symmetry)}')
         lines.append('"nodes": [\n' + ",\n".join("  " + json.dumps(node) for node in self.nodes) + "]")
         if self.links:
             lines.append(f'"links": {json.dumps(self.links)}')

@@ -92,8 +92,11 @@ class AngleFinder {
     }
 
     double column_angle(std::int32_t column) const { return phase_ + step_ * column; }
-    static double nearest_turn(double wanted, double near, double period) {
-        return wanted + period * std::round((near - wanted) / period);
+    /// Of two turns that are as near, the images of a path under a rotation take the same one.
+    double nearest_turn(double wanted, double near, double period) const {
+        const Automorphism& symmetry = w_.s.symmetry;
+        const double hair = symmetry.order > 1 && symmetry.generator.determinant() > 0 ? 1e-6 : 0;
+        return wanted + period * std::round((near - wanted) / period - hair);
     }
 
     /// Outlines are anchors: their corners stand at the corner columns, whichever quarter turn is nearest.
