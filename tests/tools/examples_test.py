@@ -9,8 +9,8 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCRIPTS = sorted(p for p in (ROOT / "tools" / "examples").glob("*.py") if p.name != "skeleton.py")
-MIRRORED = {"ant", "dragon", "goat", "humanoid"}
+SCRIPTS = sorted(p for p in (ROOT / "tools" / "examples").glob("*.py") if p.name not in ("skeleton.py", "types.py"))
+MIRRORED = {"ant", "dragon", "goat", "humanoid", "car", "chair", "skull", "tap"}
 
 
 class Examples(unittest.TestCase):
@@ -23,14 +23,21 @@ class Examples(unittest.TestCase):
                 made = (pathlib.Path(folder) / name).read_text(encoding="utf-8")
                 self.assertEqual(made, (ROOT / "examples" / name).read_text(encoding="utf-8"), f"run {script}")
 
+    def test_one_script_makes_all_of_types(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, ROOT / "tools/examples/types.py", folder], check=True, stdout=subprocess.DEVNULL)
+            made = {p.name: p.read_text(encoding="utf-8") for p in (pathlib.Path(folder) / "types").iterdir()}
+        self.assertEqual(made, {p.name: p.read_text(encoding="utf-8") for p in (ROOT / "examples/types").iterdir()})
+
     def test_bones_reach_out_of_the_smaller_ball(self):
-        """A bone that ends inside its neighbour's ball draws nothing."""
+        """A bone that ends inside its neighbour's ball draws nothing; but sharp joints and flat ends make steps."""
+        steps = ("joint", "type")
         for script in SCRIPTS:
             nodes = self.document(script.stem)["nodes"]
             by_id = {node["id"]: node for node in nodes}
             for node in nodes:
                 parent = by_id.get(node.get("parent"))
-                if parent:
+                if parent and not any(key in n for key in steps for n in (node, parent)):
                     length = math.dist(node["position"], parent["position"])
                     reach = length + node["radius"]
                     self.assertGreater(reach, parent["radius"], f"{script.stem}, node {node['id']}")

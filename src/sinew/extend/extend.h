@@ -4,13 +4,19 @@
 /// M. Mc Donnell, "Skeleton-based and Interactive 3D Modeling", DTU 2012, extended trees: every type becomes
 /// a few plain nodes.
 ///
-/// | node | becomes |
-/// |---|---|
-/// | sphere, cone, hemisphere leaf | itself, with a cap; a form where it is scaled, rectangular or sharp |
-/// | cube on a bone or at its end | two rings at its faces, and one each where a narrower tube meets a face |
-/// | cube at a root or a branch | a box joint; a plate where a narrower tube leaves; a flat cap on every free
-/// face | | ball | a ball joint; a ring where each tube leaves; surface bones where it would be bare | |
-/// negative | a pit on its parent, which becomes a joint |
+/// - A sphere, cone or hemisphere at a leaf becomes itself, with a cap, and has a form where it is scaled,
+///   rectangular or sharp. It adds 1 special vertex.
+/// - A cube on a bone or at its end becomes two rings at its faces, and one each where a narrower tube meets
+/// a
+///   face. It adds none on a bone, and at its end 1.
+/// - A cube at a root or a branch becomes a box joint, with a plate where a narrower tube leaves and a flat
+///   cap on every free face. It adds its 8 corners and 1 for each free face.
+/// - A ball becomes a ball joint, with a ring where each tube leaves and surface bones where it would be
+///   bare. With d bones and s of those it adds 2 (d + s - 2) + s.
+/// - A negative becomes a pit on its parent, which becomes a joint. It adds 3: a bone more, and its bottom.
+///
+/// Special vertices are those of a valence other than 4 and the poles of fans. A round joint of d bones adds
+/// 2 (d - 2); a sphere, ball or cube alone has 8.
 #pragma once
 
 #include <span>
