@@ -39,11 +39,11 @@ void SceneView::update_glyphs(const Model& model, Interaction& tools, bool insid
     key_ = std::move(key);
 }
 
-void SceneView::update_planes(const Model& model, const ViewSettings& view) {
+void SceneView::update_planes(const Model& model, const ViewSettings& view, bool dragging) {
     if (planes_revision_ == model.revision() && planes_grid_ == view.grid) return;
     // While one drags outwards the ground and the plane stay as large as they were.
-    const Document& document = model.before_drag();
-    if (!model.previewing() || ground_reach_ == 0) ground_reach_ = reach_of(document);
+    const Document& document = dragging ? model.before_drag() : model.document();
+    if (!dragging || ground_reach_ == 0) ground_reach_ = reach_of(document);
     std::vector<PlaneMark> planes;
     if (view.grid) planes.push_back(ground_plane(ground_reach_));
     if (auto mirror = mirror_plane(document)) planes.push_back(*mirror);
@@ -59,7 +59,7 @@ void SceneView::draw(const Model& model, Interaction& tools, const ViewSettings&
     const bool inside = mesh && view.opacity < 1;
     tools.glyph_scale = mesh ? glyph_scale_in_mesh : 1;
     update_glyphs(model, tools, inside);
-    update_planes(model, view);
+    update_planes(model, view, model.previewing() && !tools.locked);
 
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);

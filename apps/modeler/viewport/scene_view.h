@@ -40,7 +40,7 @@ class SceneView {
     SceneView(GlScene&& surface, GlScene&& skeleton)
         : surface_(std::move(surface)), skeleton_(std::move(skeleton)) {}
     void update_glyphs(const Model& model, Interaction& tools, bool inside);
-    void update_planes(const Model& model, const ViewSettings& view);
+    void update_planes(const Model& model, const ViewSettings& view, bool dragging);
 
     GlScene surface_;   ///< mesh, planes, and the glyphs where they are seen through it
     GlScene skeleton_;  ///< glyphs over the mesh
