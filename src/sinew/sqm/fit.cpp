@@ -34,7 +34,10 @@ class Fitter {
         const auto stencils = build_limit_stencils(b_.mesh);
         if (!stencils) return fail(stencils.error());
         joints();
-        for (std::int32_t p = 0; p < n_.path_count(); ++p) path(p);
+        // A path has its vertices and poles to itself.
+        tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n_.path_count(), 64), [&](const auto& range) {
+            for (std::int32_t p = range.begin(); p < range.end(); ++p) path(p);
+        });
         std::uint32_t vertex = b_.lone_vertex;
         for (const std::int32_t node : n_.lone)
             for (std::size_t i = 0; i < lone_sphere_points().size(); ++i)
