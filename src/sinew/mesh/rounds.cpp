@@ -103,15 +103,19 @@ class ConeFinder {
         return found != on_circles_.end() && found->vertex == vertex ? found->circle : no_index;
     }
 
-    /// Walks straight along one spoke, as long as it is straight, to the first vertex on a circle.
+    /// Walks straight along one spoke, as long as it is straight and leads away, to the first vertex on a
+    /// circle.
     Index circle_of_spoke(Index pole) const {
         Index h = topology_.ring(pole)[0];
         const Vec3 tip = position(pole), way = (position(mesh_.corners[next(h)]) - tip).normalized();
-        for (;;) {
+        for (double reached = 0;;) {  // where all vertices are in one place, edges can go round for ever
             const Index vertex = mesh_.corners[next(h)];
             if (const Index circle = circle_of(vertex); circle != no_index) return circle;
             const Vec3 from_tip = position(vertex) - tip;
-            if (!((from_tip - way.dot(from_tip) * way).norm() <= 1e-4 * from_tip.norm())) return no_index;
+            const double along = way.dot(from_tip);
+            if (!(along > reached)) return no_index;
+            if (!((from_tip - along * way).norm() <= 1e-4 * from_tip.norm())) return no_index;
+            reached = along;
             if (topology_.ring(vertex).size() != 4 || topology_.twin[next(h)] == no_index) return no_index;
             h = next(topology_.twin[next(h)]);
             if (mesh_.corners[h] != vertex) return no_index;
