@@ -1,26 +1,34 @@
 #include "sinew/sqm/round_end.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace sinew::sqm {
 namespace {
 
-constexpr int samples = 9;  // of the surface between two rows
-constexpr int steps = 24;   // of Gauss and Newton; the second half weighs what is worst
-constexpr double reluctance =
-    1e-3;  // keeps rows from sliding along the profile, where nothing would hold them
+constexpr int samples = 9;           // of the surface between two rows
+constexpr int plain_steps = 4;       // of Gauss and Newton
+constexpr int weighed_steps = 18;    // that weigh what is worst
+constexpr double settled = 2e-3;     // radii: rows that move less are where they belong
+constexpr double reluctance = 1e-3;  // of rows to slide along the profile, where nothing else holds them
 
 constexpr int most_unknowns = 1 + 2 * static_cast<int>(most_round_rings);
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
 using Weights = std::array<double, 4>;  // of four rows in a cubic B-spline
 
-Weights spline_weights(double t) {
+constexpr Weights spline_weights(double t) {
     const double s = 1 - t;
     return {s * s * s / 6, ((3 * t - 6) * t * t + 4) / 6, ((3 * s - 6) * s * s + 4) / 6, t * t * t / 6};
 }
+constexpr std::array<Weights, samples> weights_of_samples() {
+    std::array<Weights, samples> weights{};
+    for (int s = 0; s < samples; ++s) weights[s] = spline_weights((s + 0.5) / samples);
+    return weights;
+}
+constexpr std::array<Weights, samples> sample_weights = weights_of_samples();
 
 /// Signed distance to the ball above where the cone touches it, and to the cone below, and its gradient.
 struct Distance {
@@ -29,7 +37,7 @@ struct Distance {
 };
 Distance distance_at(double height, double radius, const Vec2& touch) {
     if (height * touch.y() < radius * touch.x()) return {height * touch.x() + radius * touch.y() - 1, touch};
-    const double length = std::hypot(height, radius);
+    const double length = std::sqrt(height * height + radius * radius);
     return {length - 1, Vec2(height, radius) / length};
 }
 
@@ -50,7 +58,10 @@ class Fit {
     }
 
     void run() {
-        for (int step = 0; step < steps; ++step) improve(step >= 6);
+        for (int step = 0; step < plain_steps && improve(false) > settled; ++step) {
+        }
+        for (int step = 0; step < weighed_steps && improve(true) > settled; ++step) {
+        }
     }
     ProfileRow row(int i) const {
         if (i < 0) return {at_[1], -at_[2]};  // the other side of the pole
@@ -68,30 +79,35 @@ class Fit {
         if (i > 0) change[2 * i] += (row < 0 ? -weight : weight) * gradient.y();
     }
 
-    void improve(bool weigh) {
+    /// One step. @returns how far the rows moved, in radii
+    double improve(bool weigh) {
         const Eigen::Index n = at_.size();
         Matrix normal = reluctance * Matrix::Identity(n, n);
         Vector right = reluctance * (start_ - at_), change(n);
         double worst = 0;
-        for (int first = -1; first < rings_; ++first)
-            for (int s = 0; s < samples; ++s) {
-                const Weights w = spline_weights((s + 0.5) / samples);
-                Vec2 point = Vec2::Zero();
+        for (int first = -1; first < rings_; ++first) {
+            const ProfileRow rows[] = {row(first), row(first + 1), row(first + 2), row(first + 3)};
+            for (const Weights& w : sample_weights) {
+                double height = 0, radius = 0;
                 for (int j = 0; j < 4; ++j) {
-                    const ProfileRow r = row(first + j);
-                    point += w[j] * Vec2(r.height, r.radius);
+                    height += w[j] * rows[j].height;
+                    radius += w[j] * rows[j].radius;
                 }
-                const Distance d = distance_at(point.x(), point.y(), touch_);
+                const Distance d = distance_at(height, radius, touch_);
                 change.setZero();
                 for (int j = 0; j < 4; ++j) move(first + j, w[j], d.gradient, change);
                 const double share = worst_ > 0 ? d.value / worst_ : 0;
                 const double weight = (weigh ? std::max(1e-2, share * share * share * share) : 1) / samples;
-                normal += weight * change * change.transpose();
+                for (Eigen::Index i = 0; i < n; ++i)
+                    for (Eigen::Index j = 0; j <= i; ++j) normal(i, j) += weight * change[i] * change[j];
                 right -= weight * d.value * change;
                 worst = std::max(worst, std::abs(d.value));
             }
+        }
         worst_ = worst;
-        at_ += (weigh ? 0.5 : 1.0) * normal.ldlt().solve(right);
+        const Vector change_of_rows = (weigh ? 0.5 : 1.0) * normal.ldlt().solve(right);
+        at_ += change_of_rows;
+        return change_of_rows.norm();
     }
 
     int rings_;
