@@ -166,6 +166,22 @@ TEST(ExpandSymmetry, BoxesTurnWithTheirNodes) {
     }
 }
 
+TEST(ExpandSymmetry, SectionsOfRootsTurnWithTheirNodes) {
+    for (const Symmetry& symmetry : {mirror(0), mirror(2), radial(0, 5), radial(1, 4), radial(2, 7)}) {
+        const Document drawn =
+            with(symmetry,
+                 {{.position = {1, 2, 3}, .section = Section::rectangular, .scale = {1, 0.5, 1}, .roll = 20},
+                  {.parent = 0, .position = {2, 5, 4}}});
+        const ExpandedSymmetry all = expand_symmetry(drawn);
+        for (std::int32_t i = 0; i < std::ssize(all.document.nodes); ++i) {
+            if (all.source[i] != 0) continue;
+            const Mat3 wanted = symmetry_transform(symmetry, all.power[i]) * frame_of(all.document, 0);
+            const Mat3 turn = (frame_of(all.document, i).transpose() * wanted).cwiseAbs();
+            EXPECT_TRUE(turn.isIdentity(1e-9)) << "axis " << symmetry.axis << " node " << i << '\n' << turn;
+        }
+    }
+}
+
 TEST(ExpandSymmetry, MirroredRollsChangeTheirSignExactly) {
     Document drawn =
         with(mirror(0), {{.position = {1, 0, 0}},

@@ -52,7 +52,7 @@ struct Node {
     std::array<double, 3> scale{1, 1, 1};
     std::optional<Vec3> size;  ///< full extents of a cube; default: twice the radius each
     double roll = 0;           ///< degrees about the bone
-    /// For a cube or a ball at a branch or a root. As given: normalise before use.
+    /// For a root, and for a cube or a ball at a branch. As given: normalise before use.
     std::optional<Quat> rotation;
     double joint = 0;  ///< sharpness of the ring here: 0 smooth; >= 10 infinitely sharp
     GivenKeys given;

@@ -67,7 +67,7 @@ Mat3 local_frame(const Document& document, const std::vector<Bone>& bones, const
     const std::int32_t degree = neighbours.degree(i);
     const bool root = node.parent<0, branch = degree> 2;
     const bool turnable = node.type == NodeType::cube || node.type == NodeType::ball;
-    if (turnable && node.rotation && (root || branch))
+    if (node.rotation && (root || (turnable && branch)))
         return node.rotation->normalized().toRotationMatrix() * frame_about(Vec3::UnitZ(), node.roll);
     if (root || (branch && node.type == NodeType::cube)) return frame_about(Vec3::UnitZ(), node.roll);
     const Vec3 in = unit(node.position - document.nodes[node.parent].position, Vec3::UnitZ());

@@ -13,7 +13,7 @@ Mat3 frame_about(const Vec3& z, double roll = 0);
 
 /// The frame of a node. z lies along the bone from the parent; at a connection along the bisector of its two
 /// bones, onwards; a root and a cube at a branch have the world's axes, or `rotation` where it is given (a
-/// cube or a ball). A bone of no length counts as pointing along the world's Z.
+/// root, a cube or a ball). A bone of no length counts as pointing along the world's Z.
 /// @param bones      bones_of(document)
 /// @param neighbours adjacency of these bones
 Mat3 local_frame(const Document& document, const std::vector<Bone>& bones, const Adjacency& neighbours,

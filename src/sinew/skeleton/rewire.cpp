@@ -126,7 +126,8 @@ void turn_to(Document& document, const std::vector<Bone>& bones, const Adjacency
         break;
     }
     const bool rolls = std::abs(turn(2, 2) - 1) < 1e-9;
-    if (rolls || (node.type != NodeType::cube && node.type != NodeType::ball)) return;
+    const bool turnable = node.type == NodeType::cube || node.type == NodeType::ball;
+    if (rolls || !(turnable || node.parent < 0)) return;
     node.roll = 0;
     node.rotation = Quat(frame);
     if (node.rotation->w() < 0) node.rotation->coeffs() *= -1;
