@@ -96,7 +96,7 @@ TEST(TypeExamples, BallsAreRoundToOnePercent) {
               0.01);
     EXPECT_LT(farthest_from_ball(fine("ellipsoid"), {2, 0, 0}, half,
                                  [](const Vec3& v) { return v.x() > -1 && v.z() > -0.9; }),
-              0.035);  // its ends are sharper than a ball, and have as many vertices
+              0.01);
     const Document limbs = drawn("ball_with_five_limbs");
     EXPECT_LT(farthest_from_ball(smooth(limbs), {0, 0, 0}, Vec3::Ones(),
                                  [&](const Vec3& v) {

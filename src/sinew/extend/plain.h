@@ -54,6 +54,12 @@ struct Form {
     double sharpness = 0;  ///< of the crease on the ring; on a joint: of the creases where its tubes begin
 };
 
+/// An ellipsoid is a round ball in a space of its own, where its cells and points are found as a ball's are:
+/// unit directions from there, and there. Great circles stay great circles. Other forms (and none) have no
+/// such space: their directions stay.
+Vec3 from_ball_space(const Form* form, const Vec3& direction);
+Vec3 to_ball_space(const Form* form, const Vec3& direction);
+
 /// A rotation or reflection about the origin that maps the skeleton onto itself.
 struct Automorphism {
     Mat3 generator = Mat3::Identity();

@@ -17,6 +17,8 @@ constexpr int fit_steps = 16;
 /// How a vertex may move: along a line, or in the plane at right angles to one; along none it stays.
 struct Freedom {
     Vec3f axis = Vec3f::Zero();
+    Vec3f lack =
+        Vec3f::Zero();  ///< how far along the line, of what the limit lacks: the axis, or oblique to it
     bool in_plane = false;
     std::uint32_t before = no_vertex,
                   after = no_vertex;  ///< the next one of the column, where the tube tapers
@@ -47,16 +49,35 @@ class Fitter {
 
   private:
     void from(std::uint32_t vertex, const Vec3& centre) {
-        freedom_[vertex] = {(targets_[vertex] - centre).normalized().cast<float>(), false};
+        freedom_[vertex].axis = freedom_[vertex].lack =
+            (targets_[vertex] - centre).normalized().cast<float>();
+    }
+    /// Points of a joint move along its rays. On an ellipsoid by what is lacking along its normals: a limit
+    /// beside the ray may well be on the surface.
+    void from_joint(std::uint32_t vertex, std::int32_t joint) {
+        const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
+        from(vertex, centre);
+        const Form* body = d_.points.body[joint];
+        if (!body || body->kind != Form::Kind::ball) return;
+        const Vec3 ray = targets_[vertex] - centre;
+        Vec3 normal = Vec3::Zero();
+        double inside = 0;  // the ellipsoid is where this is 1
+        for (const auto& [axis, half] :
+             {std::pair(body->x, body->half.x()), {body->y, body->half.y()}, {body->z, body->half.z()}}) {
+            const double part = ray.dot(axis) / half;
+            inside += part * part;
+            normal += part / half * axis;
+        }
+        if (std::abs(inside - 1) < 1e-5)
+            freedom_[vertex].lack = (ray.norm() / ray.dot(normal) * normal).cast<float>();
     }
     void joints() {
         for (std::int32_t j = 0; j < n_.joint_count(); ++j)
-            for (std::uint32_t v = d_.points.first[j]; v < d_.points.first[j + 1]; ++v)
-                from(v, d_.skeleton.position[n_.joint_node[j]]);
+            for (std::uint32_t v = d_.points.first[j]; v < d_.points.first[j + 1]; ++v) from_joint(v, j);
         std::int32_t j = 0;
         for (std::size_t i = 0; i < b_.capped.size(); ++i) {
             while (d_.polyhedra.cell_first[j + 1] <= b_.capped[i]) ++j;
-            from(b_.capped_pole + static_cast<std::uint32_t>(i), d_.skeleton.position[n_.joint_node[j]]);
+            from_joint(b_.capped_pole + static_cast<std::uint32_t>(i), j);
         }
     }
     void path(std::int32_t p) {
@@ -72,14 +93,15 @@ class Fitter {
                 Vec3& target = targets_[first + k];
                 if (ring.shape == RingShape::follow) {
                     const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
-                    from(first + k, d_.skeleton.position[n_.joint_node[end.joint]]);
+                    from_joint(first + k, end.joint);
                     continue;
                 }
                 if (ring.fit != RingFit::through) {
                     if (ring.fit == RingFit::held) target = ring.centre + held * (target - ring.centre);
                     continue;  // as it stands, or with its round end
                 }
-                freedom_[first + k] = {ring.tangent.cast<float>(), ring.shape != RingShape::pit};
+                freedom_[first + k].axis = freedom_[first + k].lack = ring.tangent.cast<float>();
+                freedom_[first + k].in_plane = ring.shape != RingShape::pit;
                 // A smooth ring through the points of a circle runs inside it between them: half of that is
                 // given back.
                 if (tube) target = ring.centre + wider * (target - ring.centre);
@@ -98,7 +120,11 @@ class Fitter {
             const std::uint32_t pole = b_.path_pole[p][end];
             if (pole == no_vertex) continue;
             const std::int32_t other = end == 0 ? nodes[1] : nodes[nodes.size() - 2];
-            from(pole, d_.skeleton.position[other]);
+            const PathEnd& far = n_.path_end[p][1 - end];
+            if (far.at_joint() && nodes.size() == 2)
+                from_joint(pole, far.joint);
+            else
+                from(pole, d_.skeleton.position[other]);
         }
         round_ends(p, held);
     }
@@ -231,15 +257,15 @@ class Fitter {
         std::vector<Vec3> control = targets_, limit(targets_.size());
         for (int step = 0; step < fit_steps; ++step) {
             limit_positions(stencils, std::span<const Vec3>(control), limit);
-            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, control.size(), 4096),
-                              [&](const auto& range) {
-                                  for (std::size_t v = range.begin(); v < range.end(); ++v) {
-                                      const Vec3 axis = freedom_[v].axis.template cast<double>();
-                                      const Vec3 lack = target_at(v, limit[v], axis) - limit[v];
-                                      const Vec3 along = lack.dot(axis) * axis;
-                                      control[v] += freedom_[v].in_plane ? Vec3(lack - along) : along;
-                                  }
-                              });
+            tbb::parallel_for(
+                tbb::blocked_range<std::size_t>(0, control.size(), 4096), [&](const auto& range) {
+                    for (std::size_t v = range.begin(); v < range.end(); ++v) {
+                        const Vec3 axis = freedom_[v].axis.template cast<double>();
+                        const Vec3 lack = target_at(v, limit[v], axis) - limit[v];
+                        const Vec3 along = lack.dot(freedom_[v].lack.template cast<double>()) * axis;
+                        control[v] += freedom_[v].in_plane ? Vec3(lack - along) : along;
+                    }
+                });
         }
         return control;
     }

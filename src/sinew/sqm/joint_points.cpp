@@ -42,11 +42,11 @@ class Caster {
         if (body && body->kind == Form::Kind::box) return box(*body);
         Vec3* at = &points_.position[points_.first[joint]];
         for (std::int32_t v = p_.vertex_first[joint]; v < p_.vertex_first[joint + 1]; ++v)
-            *at++ = along(p_.vertices[v]);
+            *at++ = along(from_ball_space(body, p_.vertices[v]));
         for (std::int32_t a = p_.arc_first[joint]; a < p_.arc_first[joint + 1]; ++a) {
             divide_arc(p_, p_.arcs[a], r_.pieces[a], at);
             if (!points_.pits.empty() && r_.pieces[a] >= 4) gather_in_groove(p_.arcs[a], r_.pieces[a], at);
-            for (std::int32_t i = 1; i < r_.pieces[a]; ++i, ++at) *at = along(*at);
+            for (std::int32_t i = 1; i < r_.pieces[a]; ++i, ++at) *at = along(from_ball_space(body, *at));
         }
     }
 
@@ -73,8 +73,9 @@ class Caster {
         divide_arc(p_, arc, samples + 1, ray.data());
         std::int32_t first = -1, last = -1;
         for (std::int32_t i = 0; i < samples; ++i) {
-            const double surface = exit_of_joint(n_, points_, joint_, centre_, ray[i], every_slot);
-            if (exit_of_joint(n_, points_, joint_, centre_, ray[i]) > (1 - 1e-6) * surface) continue;
+            const Vec3 cast = from_ball_space(points_.body[joint_], ray[i]);
+            const double surface = exit_of_joint(n_, points_, joint_, centre_, cast, every_slot);
+            if (exit_of_joint(n_, points_, joint_, centre_, cast) > (1 - 1e-6) * surface) continue;
             if (first < 0) first = i;
             last = i;
         }

@@ -218,14 +218,14 @@ class Follower {
         double worst = 0;
         for (std::int32_t k = 0, j = is_far ? w_.out.far_shift.back() : 0; k < w_.sides; ++k, ++j) {
             if (j == w_.sides) j = 0;
-            const Vec3 target =
-                pole ? w_.position(is_far ? 0 : w_.count() - 1) : on_ring(is_far, w_.out.angle[angles + k]);
+            const Vec3 target = pole ? on_surface(side, w_.position(is_far ? 0 : w_.count() - 1))
+                                     : on_ring(is_far, w_.out.angle[angles + k]);
             const Vec3 middle = 0.5 * (side.points[j] + (target - side.centre));
             const double distance = middle.norm();
-            if (distance > 0)
-                worst = std::max(
-                    worst,
-                    exit_of_joint(w_.n, w_.points, side.joint, side.centre, middle / distance) - distance);
+            if (!(distance > 0)) continue;
+            const double exit = exit_of_joint(w_.n, w_.points, side.joint, side.centre, middle / distance);
+            worst =
+                std::max(worst, (exit - distance) * (ball ? r / exit : 1));  // of an ellipsoid as of a ball
         }
         return worst > 0.45 * r ? 2 : worst > (ball ? 0.02 : 0.18) * r ? 1 : 0;
     }
@@ -238,6 +238,11 @@ class Follower {
         const double cosine = height / slant, sine = ring.half.x() / slant;
         const double widest = std::sqrt(std::max(0.0, 1 - side.widest * side.widest));
         return side.widest * cosine + widest * sine > 0.342;
+    }
+    /// Where the joint's surface is on the way to a place.
+    Vec3 on_surface(const JointSide& side, const Vec3& place) const {
+        const Vec3 ray = (place - side.centre).normalized();
+        return side.centre + exit_of_joint(w_.n, w_.points, side.joint, side.centre, ray) * ray;
     }
     Vec3 on_ring(bool is_far, double angle) const {
         const Station& ring = is_far ? w_.rings.back() : w_.rings.front();

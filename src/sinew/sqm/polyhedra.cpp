@@ -89,9 +89,10 @@ void find_cells(const Plain& skeleton, const Network& network, std::int32_t begi
         for (std::int32_t s = 0; s < network.degree(j); ++s) {
             const Vec3 direction = slot_direction(skeleton, network, j, s);
             directions.push_back(form && form->kind == Form::Kind::box ? face_normal(*form, direction)
-                                                                       : direction);
+                                                                       : to_ball_space(form, direction));
         }
         find_spherical_cells(directions, cells);
+        for (Vec3& site : cells.sites) site = from_ball_space(form, site);
         append(cells, out);
     }
 }

@@ -28,7 +28,7 @@ struct Polyhedra {
     std::vector<std::int32_t> cell_first, vertex_first,
         arc_first;               ///< joint -> first one; joints + 1 entries
     std::vector<Vec3> sites;     ///< cell -> unit direction in its middle
-    std::vector<Vec3> vertices;  ///< unit directions from the joint
+    std::vector<Vec3> vertices;  ///< unit directions from the joint, of an ellipsoid in its ball space
     std::vector<CellArc> arcs;
     std::vector<std::int32_t> side_first;  ///< cell -> first side; cells + 1 entries
     std::vector<CellSide> sides;
