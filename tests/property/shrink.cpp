@@ -129,7 +129,8 @@ class Shrinker {
     bool remove_bone(std::size_t bone) {
         for (int axis = -1; axis < 3; ++axis) {
             const auto [a, b] = best_.document.links[bone];
-            const auto [u, v] = std::minmax(twin(a, axis), twin(b, axis));
+            const auto [u, v] =
+                std::minmax({twin(a, axis), twin(b, axis)});  // values, not references to them
             if (attempt([&, u = u, v = v](Case& c) {
                     auto& links = c.document.links;
                     links.erase(links.begin() + bone);
