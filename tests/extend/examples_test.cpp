@@ -117,7 +117,8 @@ TEST(TypeExamples, DentsHaveTheirRadiusAndDepth) {
     EXPECT_NEAR(1 - bottom, 0.4, 0.05 * 0.4);
     int rim = 0;  // its vertices lie on the ball, as far from the axis as the radius says
     for (const Vec3f& p : control("negative").positions)
-        rim += p.y() < 0 && std::abs(p.norm() - 1) < 1e-4 && std::abs(std::hypot(p.x(), p.z()) - 0.35) < 0.05 * 0.35;
+        rim += p.y() < 0 && std::abs(p.norm() - 1) < 1e-4 &&
+               std::abs(std::hypot(p.x(), p.z()) - 0.35) < 0.05 * 0.35;
     EXPECT_EQ(rim, 8);
 }
 
