@@ -2,10 +2,8 @@
 /// it.
 #include <benchmark/benchmark.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "sinew/grow/grow.h"
+#include "sinew/io/files.h"
 
 namespace sinew::bench {
 namespace {
@@ -17,10 +15,7 @@ Grammar parsed(const std::string& text) {
 }
 
 Grammar example(const std::string& name) {
-    std::ifstream file(std::string(SINEW_LSYSTEMS) + "/" + name + ".lsys");
-    std::stringstream text;
-    text << file.rdbuf();
-    return parsed(text.str());
+    return parsed(read_file(std::string(SINEW_LSYSTEMS) + "/" + name + ".lsys").value());
 }
 
 void grow_steps(benchmark::State& state, const Grammar& grammar) {

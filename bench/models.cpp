@@ -4,21 +4,18 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
-#include <sstream>
 
 #include "sinew/grow/grow.h"
+#include "sinew/io/files.h"
 #include "sinew/io/skeleton_formats.h"
 
 namespace sinew::bench {
 namespace {
 
 Grammar figure_2_6a() {
-    std::ifstream file(std::string(SINEW_LSYSTEMS) + "/honda_a.lsys");
-    std::stringstream text;
-    text << file.rdbuf();
-    return parse_grammar(text.str(), "honda_a.lsys").value();
+    const std::string text = read_file(std::string(SINEW_LSYSTEMS) + "/honda_a.lsys").value();
+    return parse_grammar(text, "honda_a.lsys").value();
 }
 
 /// The nodes in the order of their depth, as if all twigs grew at once; so the first n are a tree as well.

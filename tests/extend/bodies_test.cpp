@@ -129,13 +129,9 @@ TEST(Cube, WithSeveralBonesThroughOneFaceIsClosed) {
 }
 
 double roundness(const QuadMesh& mesh, const Vec3& half, double below) {
-    double worst = 0;
-    for (const Vec3f& p : mesh.positions) {
-        const Vec3 v = p.cast<double>();
-        if (v.norm() > 1.3 * half.maxCoeff() || v.z() < below) continue;
-        worst = std::max(worst, std::abs(v.cwiseQuotient(half).norm() - 1));
-    }
-    return worst;
+    return farthest_from_ball(mesh, Vec3::Zero(), half, [&](const Vec3& v) {
+        return v.norm() <= 1.3 * half.maxCoeff() && v.z() >= below;
+    });
 }
 
 TEST(Ball, AloneIsRoundWithinOnePercent) {

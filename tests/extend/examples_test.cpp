@@ -18,16 +18,6 @@ Document drawn(const std::string& name) {
 QuadMesh control(const std::string& name) { return solid(drawn(name)).mesh; }
 QuadMesh fine(const std::string& name) { return smooth(drawn(name)); }
 
-template <class Keep>
-double farthest_from_ball(const QuadMesh& mesh, const Vec3& centre, const Vec3& half, Keep keep) {
-    double worst = 0;
-    for (const Vec3f& p : mesh.positions) {
-        const Vec3 v = p.cast<double>() - centre;
-        if (keep(v)) worst = std::max(worst, std::abs(v.cwiseQuotient(half).norm() - 1));
-    }
-    return worst;
-}
-
 TEST(TypeExamples, AreSolidAndFlatWhereTheySayOnEveryLevel) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(SINEW_TYPES)) files.push_back(entry.path());

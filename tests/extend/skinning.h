@@ -50,6 +50,18 @@ inline QuadMesh smooth(const Document& document, int levels = 3) {
     return fine ? *fine : QuadMesh{};
 }
 
+/// Largest distance of a vertex from an ellipsoid, as a share of its radius there.
+/// @param keep  which vertices count, seen from its centre
+template <class Keep>
+inline double farthest_from_ball(const QuadMesh& mesh, const Vec3& centre, const Vec3& half, Keep keep) {
+    double worst = 0;
+    for (const Vec3f& p : mesh.positions) {
+        const Vec3 v = p.cast<double>() - centre;
+        if (keep(v)) worst = std::max(worst, std::abs(v.cwiseQuotient(half).norm() - 1));
+    }
+    return worst;
+}
+
 inline double distance_to(const QuadMesh& mesh, const Vec3& place) {
     double nearest = 1e300;
     for (const Vec3f& p : mesh.positions) nearest = std::min(nearest, (p.cast<double>() - place).norm());

@@ -17,7 +17,7 @@ TEST(PathFrame, TurnsNoMoreThanItMust) {
     property::Random random(19);
     for (int i = 0; i < 100; ++i) {
         const Vec3 from = random.direction(), to = random.direction(), ahead = random.direction();
-        const Vec3 carried = carry_frame(frame_x(from), Vec3::Zero(), from, ahead, to);
+        const Vec3 carried = carry_frame(Vec3(frame_about(from).col(0)), Vec3::Zero(), from, ahead, to);
         EXPECT_NEAR(carried.norm(), 1, 1e-9);
         EXPECT_NEAR(carried.dot(to), 0, 1e-9);
     }

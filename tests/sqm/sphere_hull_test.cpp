@@ -38,9 +38,7 @@ TEST(SphereHull, OfPointsInGeneralPositionHasAllOfThemAndTrianglesByEuler) {
 }
 
 TEST(SphereHull, OfACubesCornersHasTwoTrianglesASide) {
-    std::vector<Vec3> corners;
-    for (int i = 0; i < 8; ++i)
-        corners.push_back(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1).normalized());
+    const std::vector<Vec3> corners = cube_corners();
     SphereHull hull;
     find_sphere_hull(corners, hull);
     expect_convex(hull, 8);

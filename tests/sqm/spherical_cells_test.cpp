@@ -90,9 +90,7 @@ TEST(SphericalCells, OfThreeDirectionsAreLunes) {
 }
 
 TEST(SphericalCells, OfACubesCornersMeetByFours) {
-    std::vector<Vec3> corners;
-    for (int i = 0; i < 8; ++i)
-        corners.push_back(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1).normalized());
+    const std::vector<Vec3> corners = cube_corners();
     SphericalCells cells;
     find_spherical_cells(corners, cells);
     expect_tiling(cells);

@@ -14,6 +14,14 @@
 
 namespace sinew::sqm {
 
+/// Directions of the corners of a cube.
+inline std::vector<Vec3> cube_corners() {
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i)
+        corners.push_back(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1).normalized());
+    return corners;
+}
+
 inline std::int32_t add(Document& document, std::int32_t parent, const Vec3& position, double radius) {
     Node node;
     node.id = std::ssize(document.nodes);

@@ -2,6 +2,7 @@
 /// The same subdivision by OpenSubdiv, in double precision, for comparison.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 #include <opensubdiv/far/topologyRefinerFactory.h>
@@ -15,6 +16,12 @@ namespace sinew::open_subdiv {
 
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
+
+inline double size_of(const QuadMesh& mesh) {
+    Eigen::AlignedBox3f box;
+    for (const Vec3f& p : mesh.positions) box.extend(p);
+    return double{box.diagonal().norm()};
+}
 
 inline std::unique_ptr<Far::TopologyRefiner> refiner_of(const QuadMesh& mesh) {
     std::vector<int> sizes, corners(mesh.corners.begin(), mesh.corners.end()), crease_ends, corner_vertices;
@@ -116,6 +123,15 @@ inline std::vector<std::vector<Vec3>> subdivide(const QuadMesh& mesh, int levels
         append(limits);
     }
     return result;
+}
+
+/// Our vertices are where theirs are, to a millionth of the size of the control mesh.
+inline void expect_same(const QuadMesh& control, const QuadMesh& ours, const std::vector<Vec3>& theirs) {
+    ASSERT_EQ(ours.vertex_count(), theirs.size());
+    double worst = 0;
+    for (std::size_t v = 0; v < theirs.size(); ++v)
+        worst = std::max(worst, (ours.positions[v].cast<double>() - theirs[v]).norm());
+    EXPECT_LE(worst, 1e-6 * size_of(control));
 }
 
 }  // namespace sinew::open_subdiv

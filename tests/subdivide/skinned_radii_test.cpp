@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "extend/skinning.h"
 #include "sinew/sqm/skin.h"
 #include "sinew/subdivide/subdivide.h"
 
@@ -12,15 +13,9 @@ namespace {
 /// A stick along x from 0 to `length`, of radius 1, with nodes evenly between its ends.
 Document stick(double length, int between, NodeType ends) {
     Document document;
-    for (int i = 0; i < between + 2; ++i) {
-        Node node;
-        node.id = i;
-        node.position = {length * i / (between + 1), 0, 0};
-        node.radius = 1;
-        if (i > 0) node.parent = i - 1;
-        if (i == 0 || i == between + 1) node.type = ends;
-        document.nodes.push_back(node);
-    }
+    for (int i = 0; i < between + 2; ++i)
+        testing_types::add(document, i - 1, {length * i / (between + 1), 0, 0}, 1,
+                           i == 0 || i == between + 1 ? ends : NodeType::sphere);
     return document;
 }
 
@@ -86,14 +81,8 @@ TEST(SkinnedRadii, OfShortSticks) {
 TEST(SkinnedRadii, OfAFrameWithSharpBends) {
     // A square of bones stays one: its arms are straight tubes up to an edge or two from the corners.
     Document frame;
-    for (int i = 0; i < 4; ++i) {
-        Node node;
-        node.id = i;
-        node.position = {i == 1 || i == 2 ? 10.0 : 0.0, 0, i >= 2 ? 10.0 : 0.0};
-        node.radius = 1;
-        if (i > 0) node.parent = i - 1;
-        frame.nodes.push_back(node);
-    }
+    for (int i = 0; i < 4; ++i)
+        testing_types::add(frame, i - 1, {i == 1 || i == 2 ? 10.0 : 0.0, 0, i >= 2 ? 10.0 : 0.0}, 1);
     frame.links = {{3, 0}};
     for (const int sides : {4, 5, 6, 8}) {
         SCOPED_TRACE(sides);

@@ -56,6 +56,8 @@ int print_keys() {
     return std::fputs(text.c_str(), stdout) < 0;
 }
 
+}  // namespace
+
 void ask_for_opengl() {
     QSurfaceFormat format;
     format.setVersion(3, 3);
@@ -64,8 +66,6 @@ void ask_for_opengl() {
     format.setSamples(4);
     QSurfaceFormat::setDefaultFormat(format);
 }
-
-}  // namespace
 
 int run(int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";

@@ -12,25 +12,12 @@ std::vector<Bone> sorted(std::vector<Bone> bones) {
     return bones;
 }
 
-bool is_ellipsoid(const Form* form) {
-    return form && form->kind == Form::Kind::ball &&
-           !(form->half.x() == form->half.y() && form->half.y() == form->half.z());
-}
+}  // namespace
 
-/// The direction with its parts along the form's axes scaled.
 Vec3 stretched(const Form& form, const Vec3& direction, const Vec3& by) {
     return (direction.dot(form.x) * by.x() * form.x + direction.dot(form.y) * by.y() * form.y +
             direction.dot(form.z) * by.z() * form.z)
         .normalized();
-}
-
-}  // namespace
-
-Vec3 from_ball_space(const Form* form, const Vec3& direction) {
-    return is_ellipsoid(form) ? stretched(*form, direction, form->half) : direction;
-}
-Vec3 to_ball_space(const Form* form, const Vec3& direction) {
-    return is_ellipsoid(form) ? stretched(*form, direction, form->half.cwiseInverse()) : direction;
 }
 
 bool bones_follow(const Plain& skeleton, const std::vector<std::int32_t>& image) {

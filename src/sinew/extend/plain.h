@@ -57,8 +57,17 @@ struct Form {
 /// An ellipsoid is a round ball in a space of its own, where its cells and points are found as a ball's are:
 /// unit directions from there, and there. Great circles stay great circles. Other forms (and none) have no
 /// such space: their directions stay.
-Vec3 from_ball_space(const Form* form, const Vec3& direction);
-Vec3 to_ball_space(const Form* form, const Vec3& direction);
+inline bool is_ellipsoid(const Form* form) {
+    return form && form->kind == Form::Kind::ball &&
+           !(form->half.x() == form->half.y() && form->half.y() == form->half.z());
+}
+Vec3 stretched(const Form& form, const Vec3& direction, const Vec3& by);  ///< unit; along the form's axes
+inline Vec3 from_ball_space(const Form* form, const Vec3& direction) {
+    return is_ellipsoid(form) ? stretched(*form, direction, form->half) : direction;
+}
+inline Vec3 to_ball_space(const Form* form, const Vec3& direction) {
+    return is_ellipsoid(form) ? stretched(*form, direction, form->half.cwiseInverse()) : direction;
+}
 
 /// A rotation or reflection about the origin that maps the skeleton onto itself.
 struct Automorphism {

@@ -38,7 +38,7 @@ class AngleFinder {
                        : none       ? w_.direction(w_.bone_count() - 1)
                                     : w_.rings.back().tangent;
         Vec3 at = w_.closed ? first().centre : w_.position(0), tangent = near_tangent_;
-        Vec3 x = near_x_ = frame_x(near_tangent_);
+        Vec3 x = near_x_ = frame_about(near_tangent_).col(0);
         distance_.clear();
         length_ = 0;
         for (Station& ring : w_.rings) {
@@ -88,7 +88,7 @@ class AngleFinder {
             }
         if (w_.rings.empty()) return;
         const Station& middle = w_.rings[w_.rings.size() / 2];
-        phase_ = angle_round(frame_x(middle.tangent), middle.x, middle.tangent.cross(middle.x));
+        phase_ = angle_round(frame_about(middle.tangent).col(0), middle.x, middle.tangent.cross(middle.x));
     }
 
     double column_angle(std::int32_t column) const { return phase_ + step_ * column; }

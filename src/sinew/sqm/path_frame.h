@@ -8,14 +8,9 @@
 
 #include "sinew/base/portable_math.h"
 #include "sinew/base/vec.h"
+#include "sinew/skeleton/frames.h"
 
 namespace sinew::sqm {
-
-/// Unit vector at right angles to `z`: the world's X, or Y where |z.X| > 0.9, made orthogonal to it.
-inline Vec3 frame_x(const Vec3& z) {
-    const Vec3 world = std::abs(z.x()) > 0.9 ? Vec3::UnitY() : Vec3::UnitX();
-    return (world - world.dot(z) * z).normalized();
-}
 
 /// Carries the unit vector x, at right angles to tangent a at point p, to tangent b at point q with the least
 /// rotation. Double reflection: W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of rotation minimizing
@@ -33,7 +28,7 @@ inline Vec3 carry_frame(const Vec3& x, const Vec3& p, const Vec3& a, const Vec3&
     if (bend_square > 1e-24) xl -= (2 / bend_square) * bend.dot(xl) * bend;
     const Vec3 flat = xl - xl.dot(b) * b;
     const double length = flat.norm();
-    return length > 1e-9 ? Vec3(flat / length) : frame_x(b);
+    return length > 1e-9 ? Vec3(flat / length) : Vec3(frame_about(b).col(0));
 }
 
 /// Angle of a vector round the axis x cross y, from x towards y.

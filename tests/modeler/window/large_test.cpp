@@ -3,13 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "document/delta.h"
 #include "document/edits.h"
 #include "robot.h"
 #include "sinew/grow/grow.h"
+#include "sinew/io/files.h"
 #include "sinew/io/skeleton_formats.h"
 
 namespace sinew::modeler {
@@ -17,11 +16,8 @@ namespace {
 
 /// The tree of figure 2.6a of "The Algorithmic Beauty of Plants": 2^10 nodes.
 Document thousand_nodes() {
-    std::ifstream file(std::string(SINEW_LSYSTEMS) + "/honda_a.lsys");
-    std::stringstream text;
-    text << file.rdbuf();
-    return grow(*parse_grammar(text.str(), "honda_a.lsys"), {.steps = 10, .constants = {{"w0", 0.05}}})
-        .value();
+    const std::string text = read_file(std::string(SINEW_LSYSTEMS) + "/honda_a.lsys").value();
+    return grow(*parse_grammar(text, "honda_a.lsys"), {.steps = 10, .constants = {{"w0", 0.05}}}).value();
 }
 
 struct Opened {

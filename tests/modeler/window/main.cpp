@@ -4,9 +4,9 @@
 
 #include <QApplication>
 #include <QSettings>
-#include <QSurfaceFormat>
 
 #include "robot.h"
+#include "window/application.h"
 #include "window/theme.h"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -36,12 +36,7 @@ int main(int argc, char** argv) {
     if (!crashing)
         for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"})
             qputenv(name, QByteArray::fromStdString(home.file(name)));
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setSamples(4);
-    QSurfaceFormat::setDefaultFormat(format);
+    ask_for_opengl();
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QApplication application(argc, argv);
     QApplication::setOrganizationName("Sinew");
