@@ -153,5 +153,14 @@ TEST(Edits, extents_of_a_cube_grow_with_its_radius) {
     EXPECT_GT(scale_radii(document, std::vector<std::int32_t>{2}, 0).nodes[2].radius, 0);
 }
 
+TEST(Edits, two_negatives_do_not_press_into_each_other) {
+    Document document = starting_document();
+    append_node(document, {.id = -1, .parent = 0, .position = Vec3(0, 0, 1), .radius = 0.2});
+    document = set_type(document, std::vector<std::int32_t>{0, 1}, NodeType::negative);
+    EXPECT_TRUE(validate(document)) << validate(document).error().text();
+    EXPECT_EQ(document.nodes[0].type, NodeType::sphere);
+    EXPECT_EQ(document.nodes[1].type, NodeType::negative);
+}
+
 }  // namespace
 }  // namespace sinew::modeler

@@ -232,5 +232,36 @@ TEST(Drawing, everything_can_be_taken_back_and_done_again) {
     EXPECT_TRUE(same(hand.model.document(), done));
 }
 
+TEST(Gestures, end_when_something_else_changes_the_document) {
+    for (Modal modal : {Modal::move, Modal::radius, Modal::extrude, Modal::duplicate, Modal::link}) {
+        Hand hand(plain_document());
+        hand.drag({0, 0}, {2, 0});
+        hand.click(2, 0);
+        ASSERT_TRUE(hand.tools.start(modal, Hand::at(2, 0), hand.screen));
+        hand.tools.move(Hand::at(2, 1), hand.screen);
+        const Edited edit = erase_nodes(hand.model.document(), selection_of(1));
+        hand.model.apply("Delete", edit.document, edit.selection);
+        EXPECT_FALSE(hand.tools.active());
+        EXPECT_FALSE(hand.tools.hovered());
+        hand.tools.move(Hand::at(2, 2), hand.screen);
+        EXPECT_FALSE(hand.model.previewing());
+        EXPECT_EQ(hand.model.history().undoText(), "Delete");
+    }
+}
+
+TEST(Hovering, what_lies_under_a_still_pointer_is_found_again) {
+    Hand hand(plain_document());
+    hand.drag({0, 0}, {2, 0});
+    EXPECT_EQ(hand.tools.hovered().index, 1);
+    hand.model.undo();
+    EXPECT_FALSE(hand.tools.hovered());
+    EXPECT_TRUE(hand.tools.look_again(hand.screen));
+    EXPECT_FALSE(hand.tools.hovered());
+    hand.model.redo();
+    EXPECT_TRUE(hand.tools.look_again(hand.screen));
+    EXPECT_EQ(hand.tools.hovered().index, 1);
+    EXPECT_FALSE(hand.tools.look_again(hand.screen));  // once is enough
+}
+
 }  // namespace
 }  // namespace sinew::modeler

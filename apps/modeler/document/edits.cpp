@@ -9,11 +9,11 @@
 namespace sinew::modeler {
 namespace {
 
-const double smallest_radius = 1e-6;
+const double smallest_length = 1e-12, largest_length = 1e12;
 
-std::vector<std::int32_t> degrees_of(const Document& document) {
-    std::vector<std::int32_t> degrees(document.nodes.size(), 0);
-    for (const Bone& bone : bones_of(document))
+std::vector<std::int32_t> degrees_of(std::size_t nodes, std::span<const Bone> bones) {
+    std::vector<std::int32_t> degrees(nodes, 0);
+    for (const Bone& bone : bones)
         for (std::int32_t node : bone) ++degrees[node];
     return degrees;
 }
@@ -22,17 +22,22 @@ bool for_leaves_only(NodeType type) {
     return type == NodeType::cone || type == NodeType::hemisphere || type == NodeType::negative;
 }
 
-/// Drops links that double a bone, and makes spheres of tips that are no leaves any more: so that whatever
-/// one does to a sound document leaves a sound one.
+/// Drops links that double a bone, and makes spheres of tips that are no leaves any more, and of the first of
+/// two negatives that have only each other to press into: so that whatever one does to a sound document
+/// leaves a sound one.
 void tidy(Document& document) {
     std::erase_if(document.links, [&](const auto& link) {
         return link[0] == link[1] || document.nodes[link[0]].parent == link[1] ||
                document.nodes[link[1]].parent == link[0];
     });
-    const std::vector<std::int32_t> degrees = degrees_of(document);
+    const std::vector<Bone> bones = bones_of(document);
+    const std::vector<std::int32_t> degrees = degrees_of(document.nodes.size(), bones);
     for (std::size_t i = 0; i < degrees.size(); ++i)
         if (for_leaves_only(document.nodes[i].type) && degrees[i] != 1)
             document.nodes[i].type = NodeType::sphere;
+    for (const auto& [a, b] : bones)
+        if (document.nodes[a].type == NodeType::negative && document.nodes[b].type == NodeType::negative)
+            document.nodes[a].type = NodeType::sphere;
 }
 
 std::int32_t root_of(const Document& document, std::int32_t node) {
@@ -197,8 +202,8 @@ Document translate(Document document, std::span<const std::int32_t> nodes, const
 Document scale_radii(Document document, std::span<const std::int32_t> nodes, double factor) {
     for (std::int32_t i : nodes) {
         Node& node = document.nodes[i];
-        node.radius = std::max(node.radius * factor, smallest_radius);
-        if (node.size) *node.size = (*node.size * factor).cwiseMax(smallest_radius);
+        node.radius = std::clamp(node.radius * factor, smallest_length, largest_length);
+        if (node.size) *node.size = (*node.size * factor).cwiseMax(smallest_length).cwiseMin(largest_length);
     }
     return document;
 }

@@ -62,7 +62,7 @@ bool may_reparent(const Document& document, std::int32_t child, std::int32_t par
 Document reparent(Document document, std::int32_t child, std::int32_t parent);
 
 Document translate(Document document, std::span<const std::int32_t> nodes, const Vec3& by);
-/// Radii, and extents of cubes, times a factor; never below a millionth.
+/// Radii, and extents of cubes, times a factor; kept between 1e-12 and 1e12.
 Document scale_radii(Document document, std::span<const std::int32_t> nodes, double factor);
 /// Types for leaves only are given to leaves only; the other nodes become spheres.
 Document set_type(Document document, std::span<const std::int32_t> nodes, NodeType type);

@@ -6,11 +6,7 @@
 #include "document/edits.h"
 #include "document/images.h"
 #include "sinew/skeleton/graph.h"
-#include "tools/box_gesture.h"
 #include "tools/gizmo.h"
-#include "tools/link_gesture.h"
-#include "tools/move_gesture.h"
-#include "tools/radius_gesture.h"
 
 namespace sinew::modeler {
 namespace {
@@ -19,9 +15,24 @@ const double drag_begins = 4;      ///< pixels
 const double wheel_factor = 1.08;  ///< of the radius, a notch
 const Model::MergeKey wheel_key = 1;
 
-Mat3 image_of(const Document& document, std::int32_t image) { return images_of(document.symmetry)[image]; }
-
 }  // namespace
+
+Interaction::Interaction(Model& model) : model_(model) {
+    model_.observe([this](const Changes& changes) {
+        // What a gesture does itself is a preview; it is out of the way before it is kept (see finish).
+        if (changes.document && !model_.previewing()) changed_elsewhere();
+    });
+}
+
+/// Nodes have other indices now, or are gone.
+void Interaction::changed_elsewhere() {
+    gesture_.reset();
+    typed_.clear();
+    pressed_.reset();
+    hovered_ = last_click_ = {};
+    hovered_handle_.reset();
+    stale_ = true;
+}
 
 const Glyphing& Interaction::glyphs() {
     if (glyphs_revision_ != model_.revision() || glyphs_scale_ != glyph_scale) {
@@ -62,15 +73,14 @@ void Interaction::press(const Pointer& pointer, const Screen& screen) {
 
 void Interaction::move(const Pointer& pointer, const Screen& screen) {
     last_pointer_ = pointer;
+    inside_ = true;
     if (pressed_ && !gesture_) {
         if ((pointer.pixel - pressed_->pointer.pixel).norm() < drag_begins) return;
-        begin_drag(pressed_->pointer, screen);
+        gesture_ = begin_drag(model_, tool, snap_to, *pressed_, screen);
+        modal_ = false;
+        hovered_ = {};
     }
-    if (gesture_) return gesture_->update(pointer, screen);
-    const std::vector<Hit> under = hits(pointer, screen);
-    hovered_ = under.empty() ? Hit{} : under.front();
-    const std::optional<Vec3> gizmo = gizmo_place();
-    hovered_handle_ = gizmo ? gizmo_at(screen, *gizmo, pointer.pixel) : std::nullopt;
+    gesture_ ? gesture_->update(pointer, screen) : hover(pointer, screen);
 }
 
 void Interaction::release(const Pointer& pointer, const Screen& screen) {
@@ -87,89 +97,28 @@ void Interaction::release(const Pointer& pointer, const Screen& screen) {
 }
 
 void Interaction::leave() {
+    inside_ = false;
     if (!gesture_) hovered_ = {};
     hovered_handle_.reset();
 }
 
-void Interaction::begin_drag(const Pointer& pointer, const Screen& screen) {
-    modal_ = false;
-    const Hit& hit = pressed_->hit;
-    if (pressed_->handle) {
-        gesture_ = move_of(model_.selection(), 0, pointer, *pressed_->handle);
-    } else if (!hit) {
-        gesture_ = std::make_unique<BoxGesture>(model_, pointer);
-    } else if (hit.kind == Hit::Kind::node && (pointer.ctrl || tool == Tool::radius)) {
-        gesture_ = std::make_unique<RadiusGesture>(model_, grabbed(hit),
-                                                   image_of(model_.document(), hit.image), pointer, screen);
-    } else if (tool == Tool::draw && !pointer.shift) {
-        gesture_ = draw_from(hit, pointer);
-    } else {
-        gesture_ = move_of(grabbed(hit), hit.image, pointer);
-    }
-    hovered_ = {};
+void Interaction::hover(const Pointer& pointer, const Screen& screen) {
+    stale_ = false;
+    const std::vector<Hit> under = hits(pointer, screen);
+    hovered_ = under.empty() ? Hit{} : under.front();
+    const std::optional<Vec3> gizmo = gizmo_place();
+    hovered_handle_ = gizmo ? gizmo_at(screen, *gizmo, pointer.pixel) : std::nullopt;
 }
 
-/// What a drag takes along: the selection where the node belongs to it, else the node (the ends, for a bone).
-Selection Interaction::grabbed(const Hit& hit) const {
-    if (hit.kind == Hit::Kind::bone) return selection_of(bones_of(model_.document())[hit.index]);
-    Selection nodes = model_.selection().contains(hit.index) ? model_.selection() : selection_of(hit.index);
-    nodes.active = hit.index;
-    return nodes;
-}
-
-std::unique_ptr<Gesture> Interaction::draw_from(const Hit& hit, const Pointer& pointer) {
-    const Document& document = model_.document();
-    MoveStart start;
-    start.image = image_of(document, hit.image);
-    start.snap_to = snap_to;
-    if (hit.kind == Hit::Kind::node) {
-        start.edit = add_children(document, std::span(&hit.index, 1));
-        start.label = "Extrude";
-    } else {
-        start.edit = insert_on_bone(document, hit.index, hit.along);
-        start.label = "Insert";
-    }
-    start.anchor = start.edit.selection.active;
-    return std::make_unique<MoveGesture>(model_, std::move(start), pointer);
-}
-
-std::unique_ptr<Gesture> Interaction::move_of(const Selection& nodes, std::int32_t image,
-                                              const Pointer& pointer, AxisLock lock) {
-    MoveStart start{{model_.document(), nodes},         "Move", nodes.active,
-                    image_of(model_.document(), image), lock,   snap_to};
-    return std::make_unique<MoveGesture>(model_, std::move(start), pointer);
+bool Interaction::look_again(const Screen& screen) {
+    if (!stale_ || !inside_ || gesture_) return false;
+    hover(last_pointer_, screen);
+    return true;
 }
 
 bool Interaction::start(Modal modal, const Pointer& pointer, const Screen& screen) {
-    const Selection& selection = model_.selection();
-    if (gesture_ || locked || selection.active < 0) return false;
-    const Pointer still{pointer.pixel};
-    switch (modal) {
-        case Modal::move:
-            gesture_ = move_of(selection, 0, still);
-            break;
-        case Modal::radius:
-            gesture_ = std::make_unique<RadiusGesture>(model_, selection, Mat3::Identity(), still, screen);
-            break;
-        case Modal::link:
-            gesture_ = std::make_unique<LinkGesture>(model_, selection.active);
-            break;
-        case Modal::extrude:
-        case Modal::duplicate: {
-            const bool extrude = modal == Modal::extrude;
-            Edited edit = extrude ? add_children(model_.document(), selection.nodes)
-                                  : duplicate(model_.document(), selection);
-            const std::int32_t anchor = edit.selection.active;
-            gesture_ = std::make_unique<MoveGesture>(model_,
-                                                     MoveStart{std::move(edit),
-                                                               extrude ? "Extrude" : "Duplicate",
-                                                               anchor,
-                                                               Mat3::Identity(),
-                                                               {},
-                                                               snap_to},
-                                                     still);
-        }
-    }
+    if (gesture_ || locked || model_.selection().active < 0) return false;
+    gesture_ = begin_modal(model_, modal, snap_to, Pointer{pointer.pixel}, screen);
     modal_ = true;
     pressed_.reset();
     last_pointer_ = pointer;
@@ -223,7 +172,7 @@ bool Interaction::wheel(const Pointer& pointer, const Screen& screen, double not
     if (gesture_ || locked) return false;
     const Hit hit = hit_at(model_.document(), glyphs(), screen, pointer.pixel);
     if (hit.kind != Hit::Kind::node) return false;
-    const Selection nodes = grabbed(hit);
+    const Selection nodes = grabbed(model_, hit);
     model_.apply("Radius", scale_radii(model_.document(), nodes.nodes, std::pow(wheel_factor, notches)),
                  nodes, wheel_key);
     return true;

@@ -9,22 +9,16 @@
 #include <string>
 #include <string_view>
 
-#include "document/model.h"
-#include "document/pick.h"
-#include "tools/gesture.h"
-#include "tools/snap.h"
+#include "tools/begin_gesture.h"
 
 namespace sinew::modeler {
 
-/// What a drag from a node does: draw a child of it, move it, change its radius.
-enum class Tool : std::uint8_t { draw, move, radius };
-
-/// Gestures that a key begins; they follow the pointer until the next click.
-enum class Modal : std::uint8_t { extrude, move, radius, duplicate, link };
-
+/// Lives as long as the model, which it observes: what changes the document while a gesture runs (a menu, a
+/// panel, the history) ends the gesture, and what was under the pointer is found again.
 class Interaction {
   public:
-    explicit Interaction(Model& model) : model_(model) {}
+    explicit Interaction(Model& model);
+    Interaction(const Interaction&) = delete;
 
     Tool tool = Tool::draw;
     SnapTo snap_to = SnapTo::grid;
@@ -39,6 +33,9 @@ class Interaction {
     bool wheel(const Pointer& pointer, const Screen& screen, double notches);
     /// The pointer left the window.
     void leave();
+    /// Finds again what is under the pointer, where the document has changed since it moved.
+    /// @return true if it looked
+    bool look_again(const Screen& screen);
 
     /// @return false where it makes no sense now, such as linking with nothing selected
     bool start(Modal modal, const Pointer& pointer, const Screen& screen);
@@ -60,24 +57,18 @@ class Interaction {
     Guides guides() const { return gesture_ ? gesture_->guides() : Guides{}; }
 
   private:
-    struct Press {
-        Pointer pointer;
-        Hit hit;
-        std::optional<AxisLock> handle;
-    };
+    void changed_elsewhere();
     std::vector<Hit> hits(const Pointer& pointer, const Screen& screen);
-    void begin_drag(const Pointer& pointer, const Screen& screen);
+    void hover(const Pointer& pointer, const Screen& screen);
     void click(const Pointer& pointer, const Screen& screen);
     void select_hit(const Hit& hit, bool add);
-    Selection grabbed(const Hit& hit) const;
-    std::unique_ptr<Gesture> draw_from(const Hit& hit, const Pointer& pointer);
-    std::unique_ptr<Gesture> move_of(const Selection& nodes, std::int32_t image, const Pointer& pointer,
-                                     AxisLock lock = {});
     void apply_amount(const Screen& screen);
 
     Model& model_;
     std::unique_ptr<Gesture> gesture_;
     bool modal_ = false;
+    bool inside_ = false;  ///< the pointer is in the window
+    bool stale_ = false;   ///< hovered_ was of a document that is gone
     std::optional<Press> pressed_;
     Pointer last_pointer_;
     Hit hovered_, last_click_;

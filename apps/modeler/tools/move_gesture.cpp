@@ -10,7 +10,8 @@
 namespace sinew::modeler {
 namespace {
 
-const double edge_on = 0.1;  ///< sine of the angle at which one looks along a plane
+const double edge_on = 0.1;    ///< sine of the angle at which one looks along a plane
+const double farthest = 1e12;  ///< from the origin: what nobody means, such as the horizon's other side
 
 }  // namespace
 
@@ -78,7 +79,8 @@ void MoveGesture::update(const Pointer& pointer, const Screen& screen) {
     const Vec3 delta = free_delta(here, pointer.pixel);
     const Snapped snapped = snap(here, pointer, anchor_position_ + delta);
     caught_ = snapped.caught && !amount_;
-    target_ = amount_ ? Vec3(anchor_position_ + exact_delta(delta)) : locked(snapped.position);
+    const Vec3 target = amount_ ? Vec3(anchor_position_ + exact_delta(delta)) : locked(snapped.position);
+    if (target.cwiseAbs().maxCoeff() <= farthest) target_ = target;
     Document next = start_.edit.document;
     for (std::int32_t node : start_.edit.selection.nodes) {
         const Vec3 offset = start_.edit.document.nodes[node].position - anchor_position_;

@@ -93,6 +93,10 @@ void Viewport::initializeGL() {
 }
 
 void Viewport::paintGL() {
+    // The cursor and the status line follow when the picture is there.
+    if (tools_.look_again(screen()))
+        QMetaObject::invokeMethod(
+            this, [this] { refresh(); }, Qt::QueuedConnection);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     QLinearGradient sky(0, 0, 0, height());
