@@ -48,6 +48,19 @@ struct Network {
     std::span<const std::int32_t> bones(std::int32_t path) const {
         return {path_bones.data() + path_first[path], path_bones.data() + path_first[path + 1]};
     }
+    bool between_joints(std::int32_t path) const {
+        return path_end[path][0].at_joint() && path_end[path][1].at_joint();
+    }
+    /// The joint at a path's other end; -1 where it ends at a leaf.
+    std::int32_t joint_beyond(std::int32_t path, std::int32_t joint) const {
+        const auto& end = path_end[path];
+        return end[0].joint == joint ? end[1].joint : end[0].joint;
+    }
+    /// visit(slot, path) for each bone of a joint.
+    template <class Visit>
+    void for_slots(std::int32_t joint, Visit visit) const {
+        for (std::int32_t s = 0; s < degree(joint); ++s) visit(s, slot_path[slot_first[joint] + s] / 2);
+    }
 };
 
 Network find_network(const Plain& skeleton);
