@@ -26,14 +26,6 @@ TEST(Frames, RollExactlyByQuarterAndEighthTurns) {
     EXPECT_EQ(x.x(), x.y());
 }
 
-TEST(Frames, OfBodiesTurnByRotationThenRoll) {
-    Node node;
-    node.rotation = Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitX()));
-    const Frame f = frame_of_body(node);
-    EXPECT_LT((f.z + Vec3::UnitY()).norm(), 1e-12);
-    EXPECT_LT((f.x - Vec3::UnitX()).norm(), 1e-12);
-}
-
 TEST(Frames, TurnWithTheLeastRotation) {
     const Frame f = turn_frame(frame_along(Vec3::UnitZ(), 0), Vec3::UnitX());
     EXPECT_LT((f.y - Vec3::UnitY()).norm(), 1e-12);  // the axis of the turn stays

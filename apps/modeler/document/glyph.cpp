@@ -28,15 +28,13 @@ Vec3 half_extents(const Node& node, bool alone) {
     return node.radius * Vec3(node.scale[0], node.scale[1], ellipsoid ? node.scale[2] : 1);
 }
 
-/// A leaf that is a root has no bone from a parent; a tip still points away from its only neighbour.
+/// The z of a root leads away from it; its tip points outward.
 Mat3 frame_of(const Document& document, const std::vector<Bone>& bones, const Adjacency& neighbours,
               std::int32_t i, GlyphShape shape) {
-    const Node& node = document.nodes[i];
+    Mat3 frame = local_frame(document, bones, neighbours, i);
     const bool pointed = shape == GlyphShape::cone || shape == GlyphShape::half_sphere;
-    if (!pointed || node.parent >= 0) return local_frame(document, bones, neighbours, i);
-    const Bone& bone = bones[neighbours.bones(i)[0]];
-    const Vec3 way = node.position - document.nodes[bone[0] == i ? bone[1] : bone[0]].position;
-    return frame_about(way.norm() > 0 ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ()), node.roll);
+    if (pointed && document.nodes[i].parent < 0) frame.rightCols<2>() *= -1;
+    return frame;
 }
 
 /// The first of the distances offered that lies ahead of the ray's origin.

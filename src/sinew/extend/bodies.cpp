@@ -29,7 +29,7 @@ Form ring_form(const Frame& frame, double half_x, double half_y, Section section
 }
 
 Form body_form(const PlainBuilder& b, std::int32_t node, Form::Kind kind, const Vec3& half) {
-    const Frame frame = b.body_frame(node);
+    const Frame frame = b.frame(node);
     Form form;
     form.kind = kind;
     form.x = frame.x, form.y = frame.y, form.z = frame.z;
@@ -109,7 +109,7 @@ std::int32_t add_plate(PlainBuilder& b, std::int32_t node, std::int32_t neighbou
 /// Rings at the two faces of a cube that a path runs through, or ends in.
 void add_path_cube(PlainBuilder& b, std::int32_t node) {
     const Vec3 half = half_size(b, node);
-    const Frame frame = b.body_frame(node);
+    const Frame frame = b.frame(node);
     const Form outline = ring_form(frame, half.x(), half.y(), Section::rectangular, infinitely_sharp);
     const std::int32_t first = b.first_bone(node);
     const std::int32_t near = node,
@@ -118,7 +118,7 @@ void add_path_cube(PlainBuilder& b, std::int32_t node) {
     b.set_form(near, outline);
     b.set_form(far, outline);
     b.add_bone(near, far, BoneKind::side);
-    b.set_cap(far, Cap::flat);
+    if (b.degree(node) == 1) b.set_cap(far, Cap::flat);
     for (const std::int32_t bone : b.bones(node)) {
         const bool at_near = bone == first;
         const std::int32_t neighbour = b.other(bone, node), at = at_near ? near : far;
@@ -300,6 +300,7 @@ void add_pit(PlainBuilder& b, std::int32_t node) {
     opening.sides = pit_sides;
     b.set_form(node, opening);
     b.set_pit(node, depth);
+    b.move(node, b.position(parent) + (surface + depth) * ray);
     const bool needs_body = !b.form(parent) || b.form(parent)->kind == Form::Kind::ring;
     if (!needs_body) return;
     b.set_cap(parent, Cap::round);  // a leaf of which nothing is left but its dent ends nowhere
@@ -308,7 +309,7 @@ void add_pit(PlainBuilder& b, std::int32_t node) {
     blend.kind = Form::Kind::blend;
     blend.sides = pit_sides;
     b.set_form(parent, blend);
-    add_surface_bones(b, parent, b.body_frame(parent), b.radius(parent));
+    add_surface_bones(b, parent, b.frame(parent), b.radius(parent));
 }
 
 }  // namespace sinew

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sinew/skeleton/frames.h"
+
 namespace sinew {
 namespace {
 
@@ -67,21 +69,17 @@ std::int32_t PlainBuilder::first_bone(std::int32_t i) const {
     return bones(i)[0];
 }
 
-Vec3 PlainBuilder::axis(std::int32_t i) const {
-    if (degree(i) == 0) return Vec3::UnitZ();
-    const std::int32_t first = first_bone(i);
-    const Vec3 in = direction(other(first, i), i);
-    if (degree(i) != 2) return in;
-    const std::int32_t second = bones(i)[0] == first ? bones(i)[1] : bones(i)[0];
-    const Vec3 sum = in + direction(i, other(second, i));
-    return sum.norm() > 1e-6 ? Vec3(sum.normalized()) : in;
-}
-
-Frame PlainBuilder::body_frame(std::int32_t i) const {
-    const bool branch = degree(i) > 2;
-    if (is_root(i) || (branch && (type(i) == NodeType::cube || drawn(i).rotation)))
-        return frame_of_body(drawn(i));
-    return frame_along(axis(i), drawn(i).roll);
+Frame PlainBuilder::frame(std::int32_t i) const {
+    Surroundings around{.degree = degree(i)};
+    if (around.degree > 0) {
+        const std::int32_t bone = first_bone(i);
+        const double sense = drawn(i).parent < 0 ? 1 : -1;
+        around.first = around.second = sense * direction(i, other(bone, i));
+        for (const std::int32_t b : bones(i))
+            if (b != bone) around.second = -sense * direction(i, other(b, i));
+    }
+    const Mat3 m = local_frame(drawn(i), around);
+    return {m.col(0), m.col(1), m.col(2)};
 }
 
 std::int32_t PlainBuilder::add_node(const Vec3& position, double radius, std::int32_t of) {

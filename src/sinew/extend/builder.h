@@ -36,11 +36,7 @@ class PlainBuilder {
 
     /// The bone to the parent, or the first one of a root.
     std::int32_t first_bone(std::int32_t i) const;
-    /// z of the local frame: along the bone from the parent; at a connection the bisector of both bones.
-    Vec3 axis(std::int32_t i) const;
-    /// The frame of a cube or a ball: the world's at a root and for a cube at a branch, else along axis();
-    /// turned by the rotation where one may be given.
-    Frame body_frame(std::int32_t i) const;
+    Frame frame(std::int32_t i) const;  ///< the node's, as skeleton/frames.h has it
 
     // The plain skeleton.
     std::int32_t add_node(const Vec3& position, double radius, std::int32_t of);

@@ -8,12 +8,6 @@ Frame frame_along(const Vec3& z, double roll) {
     return {m.col(0), m.col(1), m.col(2)};
 }
 
-Frame frame_of_body(const Node& node) {
-    Mat3 m = frame_about(Vec3::UnitZ(), node.roll);
-    if (node.rotation) m = node.rotation->normalized().toRotationMatrix() * m;
-    return {m.col(0), m.col(1), m.col(2)};
-}
-
 Frame turn_frame(const Frame& frame, const Vec3& to) {
     const Mat3 turn = Quat::FromTwoVectors(frame.z, to).toRotationMatrix();
     return {turn * frame.x, turn * frame.y, to};

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "sinew/base/vec.h"
-#include "sinew/skeleton/document.h"
 
 namespace sinew {
 
@@ -14,9 +13,6 @@ struct Frame {
 /// z as given (unit); x the world's X, or Y where |z.X| > 0.9, made orthogonal to z; y = z x x; then `roll`
 /// degrees about z.
 Frame frame_along(const Vec3& z, double roll);
-
-/// The world's axes, turned by the node's rotation if it has one, then by its roll about z.
-Frame frame_of_body(const Node& node);
 
 /// Turns the vector (right angles to z from) into the one at right angles to z `to`, with the least rotation.
 Frame turn_frame(const Frame& frame, const Vec3& to);

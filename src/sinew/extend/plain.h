@@ -82,7 +82,8 @@ struct Plain {
     std::vector<Cap> cap;               ///< one a node; means something at leaves only
     std::vector<std::int32_t> form_of;  ///< node -> index in forms; -1: a plain ball
     std::vector<Form> forms;
-    std::vector<double> pit_depth;  ///< one a node; for Cap::pit, how deep it is below the surface
+    /// One a node; for Cap::pit, how deep it is below the surface, and how far above it the node stands.
+    std::vector<double> pit_depth;
 
     std::vector<Bone> bones;
     std::vector<BoneKind> bone_kind;

@@ -4,7 +4,7 @@ namespace sinew {
 
 Form section_form(const PlainBuilder& builder, std::int32_t node) {
     const Node& drawn = builder.drawn(node);
-    const Frame frame = frame_along(builder.axis(node), drawn.roll);
+    const Frame frame = builder.frame(node);
     Form form;
     form.section = drawn.section;
     form.x = frame.x, form.y = frame.y, form.z = frame.z;
@@ -22,9 +22,7 @@ void add_section(PlainBuilder& builder, std::int32_t node) {
         drawn.section != Section::round || drawn.scale != std::array<double, 3>{1, 1, 1} || drawn.joint > 0;
     if (degree == 0) {
         if (!shaped) return;
-        const Frame body = frame_of_body(drawn);
         form.kind = drawn.section == Section::round ? Form::Kind::ball : Form::Kind::box;
-        form.x = body.x, form.y = body.y, form.z = body.z;
         builder.set_form(node, form);
         return;
     }

@@ -54,8 +54,9 @@ Vec3 half_extents(const NodeView& view) {
 ShapeGlyph glyph_of(const NodeView& view, const GlyphStyle& style) {
     const GlyphShape shape = shape_of(view);
     const bool pointed = shape == GlyphShape::cone || shape == GlyphShape::half_sphere;
-    const Mat3 frame =
-        pointed && view.node.parent < 0 ? frame_about(view.outward, view.node.roll) : view.frame;
+    Mat3 frame = view.frame;
+    if (pointed && view.node.parent < 0)
+        frame.rightCols<2>() *= -1;  // z leads away from a root, tips outward
     const Vec3 half = half_extents(view) * double(style.node_factor);
     const Eigen::Matrix3f axes = (frame * half.asDiagonal()).cast<float>();
     Vec3f origin = view.node.position.cast<float>();

@@ -253,7 +253,7 @@ Document reroot(const Document& document, std::int32_t node) {
     const Adjacency old_around = adjacency(node_count(document), old_bones),
                     around = adjacency(node_count(result), bones);
     for (std::int32_t i : way) {
-        if (!has_axes(document.nodes[i]) || way.size() == 1) continue;
+        if (way.size() == 1 || !has_axes(document, old_bones, old_around, i)) continue;
         turn_to(result, bones, around, i, local_frame(document, old_bones, old_around, i),
                 document.nodes[i].roll);
     }

@@ -34,15 +34,22 @@ Vec3 unit(const Vec3& v, const Vec3& otherwise) {
     return length > 0 && std::isfinite(length) ? Vec3(v / length) : otherwise;
 }
 
-/// Where the bone that is not the one to the parent leads: the way onwards from a connection.
-Vec3 onwards(const Document& document, const std::vector<Bone>& bones, const Adjacency& neighbours,
-             std::int32_t node) {
+Surroundings surroundings_of(const Document& document, const std::vector<Bone>& bones,
+                             const Adjacency& neighbours, std::int32_t node) {
+    const auto other = [&](std::int32_t b) { return bones[b][0] == node ? bones[b][1] : bones[b][0]; };
+    const auto to = [&](std::int32_t i) {
+        return Vec3(document.nodes[i].position - document.nodes[node].position);
+    };
+    Surroundings around{.degree = neighbours.degree(node)};
+    const auto at = neighbours.bones(node);
     const std::int32_t parent = document.nodes[node].parent;
-    for (const std::int32_t b : neighbours.bones(node)) {
-        const std::int32_t other = bones[b][0] == node ? bones[b][1] : bones[b][0];
-        if (other != parent) return document.nodes[other].position - document.nodes[node].position;
-    }
-    return Vec3::Zero();
+    if (around.degree == 0 || (parent < 0 && around.degree > 2)) return around;
+    const std::int32_t first = parent < 0 ? other(at[0]) : parent;
+    const double sense = parent < 0 ? 1 : -1;  // away from a root, towards any other node
+    around.first = around.second = unit(sense * to(first), Vec3::UnitZ());
+    if (around.degree == 2)
+        around.second = unit(-sense * to(other(at[0]) == first ? other(at[1]) : other(at[0])), around.first);
+    return around;
 }
 
 }  // namespace
@@ -61,18 +68,25 @@ Mat3 frame_about(const Vec3& z, double roll) {
     return rolled;
 }
 
+bool takes_rotation(const Node& node, std::int32_t degree) {
+    const bool body = node.type == NodeType::cube || node.type == NodeType::ball;
+    return degree == 0 || degree > 2 || (node.parent < 0 && body);
+}
+
+Mat3 local_frame(const Node& node, const Surroundings& around) {
+    const bool turns = takes_rotation(node, around.degree);
+    if (turns && node.rotation)
+        return node.rotation->normalized().toRotationMatrix() * frame_about(Vec3::UnitZ(), node.roll);
+    if (turns && (node.parent < 0 || around.degree == 0 || node.type == NodeType::cube))
+        return frame_about(Vec3::UnitZ(), node.roll);
+    const Vec3 sum = around.first + around.second;
+    const bool bisects = around.degree == 2 && sum.norm() > 1e-6;
+    return frame_about(bisects ? Vec3(sum.normalized()) : around.first, node.roll);
+}
+
 Mat3 local_frame(const Document& document, const std::vector<Bone>& bones, const Adjacency& neighbours,
                  std::int32_t i) {
-    const Node& node = document.nodes[i];
-    const std::int32_t degree = neighbours.degree(i);
-    const bool root = node.parent<0, branch = degree> 2;
-    const bool turnable = node.type == NodeType::cube || node.type == NodeType::ball;
-    if (node.rotation && (root || (turnable && branch)))
-        return node.rotation->normalized().toRotationMatrix() * frame_about(Vec3::UnitZ(), node.roll);
-    if (root || (branch && node.type == NodeType::cube)) return frame_about(Vec3::UnitZ(), node.roll);
-    const Vec3 in = unit(node.position - document.nodes[node.parent].position, Vec3::UnitZ());
-    if (degree != 2) return frame_about(in, node.roll);
-    return frame_about(unit(in + unit(onwards(document, bones, neighbours, i), in), in), node.roll);
+    return local_frame(document.nodes[i], surroundings_of(document, bones, neighbours, i));
 }
 
 }  // namespace sinew

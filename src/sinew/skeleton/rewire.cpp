@@ -51,18 +51,20 @@ std::vector<char> first_of_their_kind(std::span<const Bone> bones) {
 
 }  // namespace
 
-void set_bones(Document& document, std::span<const Bone> bones) {
+void set_bones(Document& document, std::span<const Bone> bones, std::span<const Bone> links) {
     for (Node& node : document.nodes) node.parent = -1;
     document.links.clear();
     Unions trees(document.nodes.size());
-    const std::vector<char> first = first_of_their_kind(bones);
-    for (std::size_t b = 0; b < bones.size(); ++b) {
+    std::vector<Bone> all(bones.begin(), bones.end());
+    all.insert(all.end(), links.begin(), links.end());
+    const std::vector<char> first = first_of_their_kind(all);
+    for (std::size_t b = 0; b < all.size(); ++b) {
         if (!first[b]) continue;
-        const auto [parent, child] = bones[b];
-        if (document.nodes[child].parent < 0 && trees.join(parent, child))
+        const auto [parent, child] = all[b];
+        if (b < bones.size() && document.nodes[child].parent < 0 && trees.join(parent, child))
             document.nodes[child].parent = parent;
         else
-            document.links.push_back(bones[b]);
+            document.links.push_back(all[b]);
     }
 }
 
@@ -106,10 +108,17 @@ void round_off_inner_tips(Document& document) {
             document.nodes[a].type = NodeType::sphere;
 }
 
-bool has_axes(const Node& node) {
-    // A round ball has axes too: the bones that carry its bare surface stand along them.
-    return node.type == NodeType::cube || node.type == NodeType::ball ||
-           node.section == Section::rectangular || node.scale[0] != node.scale[1];
+bool has_axes(const Document& document, const std::vector<Bone>& bones, const Adjacency& around,
+              std::int32_t i) {
+    // A round ball has axes too, as has what a dent is pressed into: the bones that carry its bare surface
+    // stand along them.
+    const Node& node = document.nodes[i];
+    if (node.type == NodeType::cube || node.type == NodeType::ball || node.type == NodeType::negative ||
+        node.section == Section::rectangular || node.scale[0] != node.scale[1] || around.degree(i) == 0)
+        return true;
+    return std::ranges::any_of(around.bones(i), [&](std::int32_t b) {
+        return document.nodes[bones[b][bones[b][0] == i ? 1 : 0]].type == NodeType::negative;
+    });
 }
 
 void turn_to(Document& document, const std::vector<Bone>& bones, const Adjacency& around, std::int32_t i,
@@ -126,8 +135,7 @@ void turn_to(Document& document, const std::vector<Bone>& bones, const Adjacency
         break;
     }
     const bool rolls = std::abs(turn(2, 2) - 1) < 1e-9;
-    const bool turnable = node.type == NodeType::cube || node.type == NodeType::ball;
-    if (rolls || !(turnable || node.parent < 0)) return;
+    if (rolls || !takes_rotation(node, around.degree(i))) return;
     node.roll = 0;
     node.rotation = Quat(frame);
     if (node.rotation->w() < 0) node.rotation->coeffs() *= -1;

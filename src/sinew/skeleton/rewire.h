@@ -14,7 +14,8 @@ namespace sinew {
 /// Gives a document these bones in place of its own; each is taken from the first of its nodes to the second.
 /// Bones from a node to itself and repeated ones are dropped. A bone makes the first node the parent of the
 /// second where that has none yet and no cycle closes, and is a link otherwise; earlier bones come first.
-void set_bones(Document& document, std::span<const Bone> bones);
+/// @param links  bones that are links in any case, so that roots stay roots
+void set_bones(Document& document, std::span<const Bone> bones, std::span<const Bone> links = {});
 
 /// Appends a copy of a node with its name and unknown keys, under another id, and returns its index. Its
 /// parent is the same.
@@ -28,12 +29,13 @@ void drop_nodes(Document& document, const std::vector<char>& gone);
 void round_off_inner_tips(Document& document);
 
 /// Does the shape of a node depend on its frame (frames.h)?
-bool has_axes(const Node& node);
+/// @param bones, around  bones_of(document) and their adjacency
+bool has_axes(const Document& document, const std::vector<Bone>& bones, const Adjacency& around,
+              std::int32_t node);
 
 /// Chooses a node's roll and rotation so that its frame becomes this one, up to half turns, which no shape
 /// shows; a roll of 0, of whole degrees or of plus or minus `likely` is met exactly. Where the frame of the
-/// node can only roll (no cube or ball at a root or branch) it comes as near as that allows.
-/// @param bones, around  bones_of(document) and their adjacency
+/// node can only roll (takes_rotation() is false) it comes as near as that allows.
 void turn_to(Document& document, const std::vector<Bone>& bones, const Adjacency& around, std::int32_t node,
              const Mat3& frame, double likely);
 

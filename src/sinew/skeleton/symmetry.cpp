@@ -10,6 +10,7 @@
 #include "sinew/skeleton/frames.h"
 #include "sinew/skeleton/graph.h"
 #include "sinew/skeleton/rewire.h"
+#include "sinew/skeleton/symmetric_frame.h"
 
 namespace sinew {
 namespace {
@@ -125,7 +126,7 @@ class Expansion {
             make_images();
             make_bones();
             round_off_inner_tips(out_.document);
-            turn_images();
+            turn_nodes();
         } else {
             out_.source = out_.image = source_;
             out_.power = shift_;
@@ -201,27 +202,44 @@ class Expansion {
         return fixed_[drawn] ? drawn : at_[slot(source_[drawn], (shift_[drawn] + k) % order_)];
     }
 
-    /// Bones to parents first, the drawn ones before their images, so that those stay as they are.
+    /// The drawn bones before their images, so that those stay as they are.
     void make_bones() {
-        std::vector<Bone> tree, all;
+        std::vector<Bone> tree, bones, links;
         for (std::int32_t d = 0; d < count(); ++d)
             if (drawn_.nodes[d].parent >= 0) tree.push_back({drawn_.nodes[d].parent, d});
-        for (const std::vector<Bone>& bones : {tree, drawn_.links})
-            for (int k = 0; k < order_; ++k)
-                for (const auto& [a, b] : bones) all.push_back({image_of(a, k), image_of(b, k)});
-        set_bones(out_.document, all);
+        for (int k = 0; k < order_; ++k) {
+            for (const auto& [a, b] : tree) bones.push_back({image_of(a, k), image_of(b, k)});
+            for (const auto& [a, b] : drawn_.links) links.push_back({image_of(a, k), image_of(b, k)});
+        }
+        set_bones(out_.document, bones, links);
     }
 
-    void turn_images() {
+    /// Nodes that are their own images first, so that their shapes are too; then images like their sources.
+    void turn_nodes() {
         const std::vector<Bone> bones = bones_of(out_.document);
         const Adjacency around = adjacency(static_cast<std::int32_t>(nodes().size()), bones);
         for (std::int32_t i = 0; i < std::ssize(nodes()); ++i) {
-            if (out_.power[i] == 0 || !has_axes(nodes()[i])) continue;
+            if (out_.image[i] != i || !has_axes(out_.document, bones, around, i)) continue;
+            const Mat3 drawn = local_frame(out_.document, bones, around, i);
+            const bool upright = !takes_rotation(nodes()[i], around.degree(i));
+            const Mat3 frame =
+                symmetric_frame(drawn, extents_of(nodes()[i], around.degree(i)), drawn_.symmetry, upright);
+            if (frame != drawn) turn_to(out_.document, bones, around, i, frame, nodes()[i].roll);
+        }
+        for (std::int32_t i = 0; i < std::ssize(nodes()); ++i) {
+            if (out_.power[i] == 0 || !has_axes(out_.document, bones, around, i)) continue;
             const Mat3& transform = transforms_[out_.power[i]];
             Mat3 frame = transform * local_frame(out_.document, bones, around, out_.source[i]);
             if (transform.determinant() < 0) frame.col(0) = -frame.col(0);  // the shapes are symmetric in x
             turn_to(out_.document, bones, around, i, frame, nodes()[out_.source[i]].roll);
         }
+    }
+    /// Along the axes of its frame; a section has none along z.
+    static Vec3 extents_of(const Node& node, std::int32_t degree) {
+        if (node.type == NodeType::cube) return node.size.value_or(Vec3::Ones());
+        const bool solid = node.type == NodeType::ball || degree == 0;
+        const bool plain = node.section == Section::round && node.scale[0] == node.scale[1];
+        return {node.scale[0], node.scale[1], solid ? node.scale[2] : plain ? node.scale[0] : 0};
     }
 
     const Document& drawn_;

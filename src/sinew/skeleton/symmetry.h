@@ -36,10 +36,10 @@ struct ExpandedSymmetry {
 /// the source) becomes that image in everything but id and name. Bones go along with their nodes, and
 /// coincide where all their nodes do.
 ///
-/// Cubes, balls, and sections that are not round are turned with their node: roll and rotation of an image
-/// are those that give it the transformed frame of its source (frames.h); only a section at a root, which
-/// neither can turn out of the world's axes but about z, keeps its roll under a radial symmetry about x or y:
-/// use `source` and `power` there.
+/// Cubes, balls, sections that are not round, and what dents are pressed into are turned with their node:
+/// roll and rotation of an image are those that give it the transformed frame of its source (frames.h). One
+/// on the plane or the axis is turned to the nearest frame that the symmetry maps onto itself, if there is
+/// one.
 ExpandedSymmetry expand_symmetry(const Document& document);
 
 }  // namespace sinew
