@@ -74,7 +74,7 @@ class Caster {
         std::int32_t first = -1, last = -1;
         for (std::int32_t i = 0; i < samples; ++i) {
             const Vec3 cast = from_ball_space(points_.body[joint_], ray[i]);
-            const double surface = exit_of_joint(n_, points_, joint_, centre_, cast, every_slot);
+            const double surface = exit_without_dents(n_, points_, joint_, cast);
             if (exit_of_joint(n_, points_, joint_, centre_, cast) > (1 - 1e-6) * surface) continue;
             if (first < 0) first = i;
             last = i;

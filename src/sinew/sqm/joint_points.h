@@ -31,7 +31,7 @@ struct PitShape {
     Vec3 middle, x, y, z;  ///< z outward
     Vec3 half;             ///< half width, half height, depth
 
-    /// A point inside the ellipsoid is moved towards the centre of its joint, onto the floor of the dent.
+    /// Where a ray from the centre of the joint enters the ellipsoid, if it is inside at `distance`.
     double press(const Vec3& centre, const Vec3& ray, double distance) const;
 };
 
@@ -49,7 +49,9 @@ struct JointPoints {
     std::vector<double> limit;        ///< how far along its bone the joint may reach
     std::vector<std::int32_t> extra;  ///< index in beams or pits, by kind
     std::vector<BeamFrom> beams;
+    /// Joint by joint: its dents, and more along the grooves that they make where they overlap.
     std::vector<PitShape> pits;
+    std::vector<std::int32_t> pit_first;   ///< joint -> its first; joints + 1 entries, none without pits
     std::vector<const Form*> body;         ///< joint -> its ball or box; null: round cones
     std::vector<std::uint8_t> only_cones;  ///< joint -> it has no body, and all its slots add cones
 };
@@ -57,12 +59,15 @@ struct JointPoints {
 JointPoints make_joint_points(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
                               const Refinement& refinement);
 
-inline constexpr std::int32_t every_slot = -2;
+/// The node beyond a slot's first bone.
+std::int32_t next_node(const Network& network, std::int32_t slot);
 
 /// Where the ray from a joint's centre leaves its surface: the distance.
-/// @param without  a slot whose pit is left out; every_slot: all pits are
 double exit_of_joint(const Network& network, const JointPoints& points, std::int32_t joint,
-                     const Vec3& centre, const Vec3& ray, std::int32_t without = -1);
+                     const Vec3& centre, const Vec3& ray);
+/// The same before any dent was pressed into it.
+double exit_without_dents(const Network& network, const JointPoints& points, std::int32_t joint,
+                          const Vec3& ray);
 
 /// Appends the points round a cell, counter-clockwise seen from outside. The first one is a joint's vertex.
 void append_ring(const Polyhedra& polyhedra, const Refinement& refinement, const JointPoints& points,

@@ -1,11 +1,14 @@
 #include "sinew/sqm/joint_problem.h"
 
+#include "sinew/sqm/dents.h"
+
 #include <algorithm>
 
 namespace sinew::sqm {
 namespace {
 
-constexpr double longest_on_ball = 0.6;  // radians of an arc in one piece on a ball
+constexpr std::int32_t across_groove = 6;  // pieces of an arc between two dents: rim, wall, floor, wall, rim
+constexpr double longest_on_ball = 0.6;    // radians of an arc in one piece on a ball
 
 /// Arcs with both ends in common must not be one edge each.
 bool needs_middle(const Polyhedra& p, std::int32_t joint, std::int32_t arc) {
@@ -23,6 +26,12 @@ bool needs_middle(const Polyhedra& p, std::int32_t joint, std::int32_t arc) {
 std::int32_t least_pieces(const Plain& skeleton, const Network& network, const Polyhedra& p,
                           std::int32_t joint, std::int32_t arc) {
     const Form* form = skeleton.form(network.joint_node[joint]);
+    const auto slot = [&](std::int32_t cell) { return cell - p.cell_first[joint]; };
+    const std::int32_t left = slot(p.arcs[arc].left), right = slot(p.arcs[arc].right),
+                       first = network.slot_first[joint];
+    if (form && std::max(left, right) < network.degree(joint) &&
+        dents_overlap(skeleton, network, joint, first + left, first + right))
+        return across_groove;
     const bool on_ball = form && (form->kind == Form::Kind::ball || form->sides > 4);
     const double length = on_ball ? arc_length(p, p.arcs[arc]) : 0;
     if (length > 2.3 * longest_on_ball) return 4;

@@ -3,23 +3,19 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "sinew/extend/bodies.h"
 #include "sinew/extend/frames.h"
+#include "sinew/sqm/dents.h"
 
 namespace sinew::sqm {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// Node beyond a slot's first bone.
-std::int32_t next_node(const Network& n, std::int32_t slot) {
-    const std::int32_t path_and_end = n.slot_path[slot];
-    const auto nodes = n.nodes(path_and_end / 2);
-    return path_and_end % 2 == 0 ? nodes[1] : nodes[nodes.size() - 2];
-}
 bool is_bone_between_joints(const Network& n, std::int32_t path) {
     return n.nodes(path).size() == 2 && n.path_end[path][0].at_joint() && n.path_end[path][1].at_joint();
 }
@@ -75,7 +71,7 @@ BeamFrom beam_of(const Plain& s, std::int32_t node, std::int32_t next, const Con
         return f && f->kind != Form::Kind::ball ? Vec2(f->half.x(), f->half.y()) : Vec2(radius, radius);
     };
     const Form* leads = beyond && !s.is_body(next) ? beyond : at;  // whose outline and turn the beam has
-    const Vec3 z = leads->z.dot(cone.axis) < 0 ? Vec3(-leads->z) : leads->z;
+    const Vec3 z = leads->z.dot(cone.axis) < -1e-9 ? Vec3(-leads->z) : leads->z;
     const Frame frame = turn_frame({leads->x, z.cross(leads->x), z}, cone.axis);
     BeamFrom beam{frame.x,
                   frame.y,
@@ -89,21 +85,13 @@ BeamFrom beam_of(const Plain& s, std::int32_t node, std::int32_t next, const Con
     return beam;
 }
 
-PitShape pit_of(const Plain& s, const Network& n, const JointPoints& points, std::int32_t joint,
-                std::int32_t leaf) {
-    const Vec3& centre = s.position[n.joint_node[joint]];
-    const Form& form = *s.form(leaf);
-    const Vec3 z = (s.position[leaf] - centre).normalized();
-    const Frame frame = turn_frame({form.x, form.y, form.z.dot(z) < 0 ? Vec3(-form.z) : form.z}, z);
-    const double surface = exit_of_joint(n, points, joint, centre, z);  // no pit is known yet
-    return {centre + surface * z,
-            frame.x,
-            z.cross(frame.x),
-            z,
-            {form.half.x(), form.half.y(), s.pit_depth[leaf]}};
-}
-
 }  // namespace
+
+std::int32_t next_node(const Network& n, std::int32_t slot) {
+    const std::int32_t path_and_end = n.slot_path[slot];
+    const auto nodes = n.nodes(path_and_end / 2);
+    return path_and_end % 2 == 0 ? nodes[1] : nodes[nodes.size() - 2];
+}
 
 double BeamFrom::exit(const Vec3& ray) const {
     const double p = std::abs(ray.dot(x)), q = std::abs(ray.dot(y)), h = ray.dot(z);
@@ -130,42 +118,30 @@ double BeamFrom::exit(const Vec3& ray) const {
     return low;
 }
 
-double PitShape::press(const Vec3& centre, const Vec3& ray, double distance) const {
-    const auto local = [&](const Vec3& v) {
-        return Vec3(v.dot(x) / half.x(), v.dot(y) / half.y(), v.dot(z) / half.z());
-    };
-    const Vec3 o = local(centre - middle), d = local(ray);
-    if ((o + distance * d).squaredNorm() >= 1) return distance;
-    const double a = d.squaredNorm(), b = o.dot(d), c = o.squaredNorm() - 1, root = b * b - a * c;
-    const double enters = root > 0 ? (-b - std::sqrt(root)) / a : distance;
-    return std::max(enters, 0.02 * distance);
+double exit_without_dents(const Network& network, const JointPoints& points, std::int32_t joint,
+                          const Vec3& ray) {
+    const Form* body = points.body[joint];
+    if (body && body->kind == Form::Kind::box) return exit_of_box(*body, ray);
+    if (body && body->kind == Form::Kind::ball) return exit_of_ellipsoid(*body, ray);
+    double distance = 0;
+    for (std::int32_t slot = network.slot_first[joint]; slot < network.slot_first[joint + 1]; ++slot) {
+        if (points.kind[slot] == SlotKind::cone) distance = std::max(distance, points.cone[slot].exit(ray));
+        if (points.kind[slot] == SlotKind::beam)
+            distance = std::max(distance, points.beams[points.extra[slot]].exit(ray));
+        if (distance == 0) distance = points.cone[slot].near;  // only pits and bare surface: the ball itself
+    }
+    return distance;
 }
 
 double exit_of_joint(const Network& network, const JointPoints& points, std::int32_t joint,
-                     const Vec3& centre, const Vec3& ray, std::int32_t without) {
+                     const Vec3& centre, const Vec3& ray) {
     if (points.only_cones[joint]) {
         double distance = 0;
         for (std::int32_t slot = network.slot_first[joint]; slot < network.slot_first[joint + 1]; ++slot)
             distance = std::max(distance, points.cone[slot].exit(ray));
         return distance;
     }
-    const Form* body = points.body[joint];
-    const bool solid = body && body->kind != Form::Kind::blend;
-    double distance = !solid                          ? 0
-                      : body->kind == Form::Kind::box ? exit_of_box(*body, ray)
-                                                      : exit_of_ellipsoid(*body, ray);
-    for (std::int32_t slot = network.slot_first[joint]; !solid && slot < network.slot_first[joint + 1];
-         ++slot) {
-        if (points.kind[slot] == SlotKind::cone) distance = std::max(distance, points.cone[slot].exit(ray));
-        if (points.kind[slot] == SlotKind::beam)
-            distance = std::max(distance, points.beams[points.extra[slot]].exit(ray));
-        if (distance == 0) distance = points.cone[slot].near;  // only pits and bare surface: the ball itself
-    }
-    if (without == every_slot) return distance;
-    for (std::int32_t slot = network.slot_first[joint]; slot < network.slot_first[joint + 1]; ++slot)
-        if (points.kind[slot] == SlotKind::pit && points.extra[slot] >= 0 && slot != without)
-            distance = points.pits[points.extra[slot]].press(centre, ray, distance);
-    return distance;
+    return press_dents(points, joint, centre, ray, exit_without_dents(network, points, joint, ray));
 }
 
 void find_joint_surfaces(const Plain& s, const Network& n, JointPoints& points) {
@@ -195,20 +171,14 @@ void find_joint_surfaces(const Plain& s, const Network& n, JointPoints& points) 
     if (s.forms.empty()) return;
     for (std::int32_t j = 0; j < n.joint_count(); ++j) {
         const std::int32_t node = n.joint_node[j];
-        std::vector<std::pair<std::int32_t, PitShape>> pits;
         for (std::int32_t slot = n.slot_first[j]; slot < n.slot_first[j + 1]; ++slot)
             if (points.kind[slot] == SlotKind::beam) {
                 points.extra[slot] = static_cast<std::int32_t>(points.beams.size());
                 points.beams.push_back(beam_of(s, node, next_node(n, slot), points.cone[slot]));
             }
-        for (std::int32_t slot = n.slot_first[j]; slot < n.slot_first[j + 1]; ++slot)
-            if (points.kind[slot] == SlotKind::pit)
-                pits.emplace_back(slot, pit_of(s, n, points, j, next_node(n, slot)));
-        for (const auto& [slot, pit] : pits) {
-            points.extra[slot] = static_cast<std::int32_t>(points.pits.size());
-            points.pits.push_back(pit);
-        }
     }
+    if (std::find(points.kind.begin(), points.kind.end(), SlotKind::pit) != points.kind.end())
+        find_dents(s, n, points);
 }
 
 }  // namespace sinew::sqm

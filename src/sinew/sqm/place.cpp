@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sinew/base/portable_math.h"
+#include "sinew/sqm/dents.h"
 #include "sinew/sqm/features.h"
 #include "sinew/sqm/fit.h"
 #include "sinew/sqm/symmetrise.h"
@@ -134,28 +135,24 @@ class Placer {
         Vec3 over = pit.middle + share * rim;
         for (int i = 0; i < 6; ++i) {  // the surface is nearly flat there: this settles fast
             const Vec3 ray = (over - centre).normalized();
-            const Vec3 hit = centre + exit_of_joint(n_, d_.points, end.joint, centre, ray, slot) * ray;
+            const Vec3 hit = centre + exit_without_dents(n_, d_.points, end.joint, ray) * ray;
             over += (hit - over).dot(pit.z) * pit.z;
         }
         if (pit.half.z() <
             0.8 * (pit.middle - centre).norm()) {  // as the joint's own points: along their rays
             const double distance = (over - centre).norm();
             const Vec3 ray = (over - centre) / distance;
-            return press_others(end.joint, slot, centre + pit.press(centre, ray, distance) * ray);
+            return centre + press_dents(d_.points, end.joint, centre, ray, distance) * ray;
         }
-        const Vec3 floor = over - pit.half.z() * std::sqrt(std::max(0.0, 1 - share * share)) * pit.z;
-        return press_others(end.joint, slot, floor);
+        return pressed(end.joint, over - pit.half.z() * std::sqrt(std::max(0.0, 1 - share * share)) * pit.z);
     }
-    /// Dents beside this one take away what is left between them.
-    Vec3 press_others(std::int32_t joint, std::int32_t slot, const Vec3& point) const {
+    /// A point on the floor of one dent, once what is left there by others is taken away too.
+    Vec3 pressed(std::int32_t joint, const Vec3& point) const {
         const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
-        double distance = (point - centre).norm();
+        const double distance = (point - centre).norm();
         if (distance <= 0) return point;
         const Vec3 ray = (point - centre) / distance;
-        for (std::int32_t other = n_.slot_first[joint]; other < n_.slot_first[joint + 1]; ++other)
-            if (other != slot && d_.points.kind[other] == SlotKind::pit)
-                distance = d_.points.pits[d_.points.extra[other]].press(centre, ray, distance);
-        return centre + distance * ray;
+        return centre + press_dents(d_.points, joint, centre, ray, distance) * ray;
     }
 
     void path(std::int32_t p) {
@@ -313,7 +310,7 @@ class Placer {
                 if (!joint.at_joint()) return at;
                 const std::int32_t slot = n_.slot_first[joint.joint] + joint.slot;
                 const PitShape& pit = d_.points.pits[d_.points.extra[slot]];
-                return press_others(joint.joint, slot, pit.middle - pit.half.z() * pit.z);
+                return pressed(joint.joint, pit.middle - pit.half.z() * pit.z);
             }
             case Cap::flat:
             case Cap::point:

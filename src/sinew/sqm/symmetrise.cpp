@@ -20,8 +20,9 @@ class VertexImages {
     std::vector<std::uint32_t> run() {
         joints();
         for (std::int32_t p = 0; p < n_.path_count(); ++p)
-            if (!path(p)) return {};
+            if (!path(p)) askew_.push_back(p);
         capped();
+        release_paths();
         if (!lone() || !is_permutation()) return {};
         for (std::int32_t p = 0; p < n_.path_count(); ++p) leave_askew(p);
         return std::move(image_);
@@ -62,7 +63,9 @@ class VertexImages {
         }
         if (rings == 0) return true;  // the joints' rings are matched already, and nothing lies between
         const std::int32_t target = back ? rings - 1 : 0;
-        first_column = nearest(bridge_.path_vertex[p], bridge_.path_vertex[q] + target * n, n);
+        first_column = n_.path_end[p][0].at_joint()
+                           ? column_at_joint(p, q, back)
+                           : nearest(bridge_.path_vertex[p], bridge_.path_vertex[q] + target * n, n);
         for (std::int32_t i = 0; i < rings; ++i)
             for (std::int32_t k = 0; k < n; ++k) {
                 const std::int32_t column = ((first_column + (turns_back ? -k : k)) % n + n) % n;
@@ -86,6 +89,11 @@ class VertexImages {
         std::vector<std::uint32_t> ring;
         joint_ring_of_path(d_, p, end, ring);
         return ring;
+    }
+    /// The column of the image that ends where column 0 does, at the joint that the path begins at.
+    std::int32_t column_at_joint(std::int32_t p, std::int32_t q, bool back) const {
+        const auto from = joint_ring(p, 0), to = joint_ring(q, back ? 1 : 0);
+        return static_cast<std::int32_t>(std::find(to.begin(), to.end(), image_[from[0]]) - to.begin());
     }
     /// Column by column, the joint's vertex that a column ends in must go to the one that the column's image
     /// ends in.
@@ -173,6 +181,17 @@ class VertexImages {
         return true;
     }
 
+    /// Tubes that do not follow the symmetry of the joints keep their shape, and so do their images.
+    void release_paths() {
+        for (const std::int32_t askew : askew_) {
+            std::int32_t p = askew;
+            do {
+                std::fill(image_.begin() + bridge_.path_vertex[p], image_.begin() + bridge_.path_vertex[p + 1],
+                          no_vertex);
+                p = images_.path[p];
+            } while (p != askew);
+        }
+    }
     /// A ring that has corners where its neighbours have sides in the mirror cannot be symmetric together
     /// with them: such a ring keeps its shape.
     void leave_askew(std::int32_t p) {
@@ -195,6 +214,7 @@ class VertexImages {
     bool is_permutation() const {
         std::vector<std::uint8_t> hit(image_.size(), 0);
         for (const std::uint32_t v : image_) {
+            if (v == no_vertex) continue;
             if (v >= image_.size() || hit[v]) return false;
             hit[v] = 1;
         }
@@ -206,6 +226,7 @@ class VertexImages {
     const Images& images_;
     const Bridge& bridge_;
     std::vector<std::uint32_t> image_;
+    std::vector<std::int32_t> askew_;
 };
 
 }  // namespace

@@ -1,0 +1,139 @@
+#include "sinew/sqm/dents.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sinew/extend/frames.h"
+
+namespace sinew::sqm {
+namespace {
+
+constexpr double nearest_to_centre = 0.02;  // of the surface's distance: no dent reaches further
+constexpr double whole_groove = 0.2;  // overlap, of the narrower dent's reach, from which a groove is whole
+constexpr double groove_step = 0.1;   // between the dents of a groove, of the narrower one's half width
+constexpr int longest_groove = 20;    // in such steps
+
+/// @param leaf  the node above the dent
+PitShape pit_of(const Plain& s, const Vec3& centre, std::int32_t leaf) {
+    const Form& form = *s.form(leaf);
+    const double distance = (s.position[leaf] - centre).norm();
+    const Vec3 z = (s.position[leaf] - centre) / distance;
+    const Frame frame = turn_frame({form.x, form.y, form.z.dot(z) < 0 ? Vec3(-form.z) : form.z}, z);
+    return {centre + (distance - s.pit_depth[leaf]) * z,
+            frame.x,
+            z.cross(frame.x),
+            z,
+            {form.half.x(), form.half.y(), s.pit_depth[leaf]}};
+}
+
+/// From the middle to the border, in a unit direction.
+double reach(const PitShape& pit, const Vec3& way) {
+    const Vec3 local(way.dot(pit.x) / pit.half.x(), way.dot(pit.y) / pit.half.y(),
+                     way.dot(pit.z) / pit.half.z());
+    return 1 / local.norm();
+}
+
+/// How much of a groove two dents make: 0 if they do not overlap, 1 if it is whole.
+double overlap(const PitShape& a, const PitShape& b) {
+    const Vec3 way = b.middle - a.middle;
+    const double distance = way.norm();
+    if (!(distance > 0)) return 0;
+    const double of_a = reach(a, way / distance), of_b = reach(b, way / distance);
+    const double share = (of_a + of_b - distance) / (whole_groove * std::min(of_a, of_b));
+    return std::clamp(share, 0.0, 1.0);
+}
+
+/// The same dent with its x and y turned by quarters until they lie as near as may be to those of another.
+PitShape aligned(const PitShape& pit, const PitShape& to) {
+    PitShape turned = pit;
+    if (std::abs(pit.y.dot(to.x)) > std::abs(pit.x.dot(to.x)) + 1e-9) {
+        turned.x = pit.y, turned.y = -pit.x;
+        std::swap(turned.half.x(), turned.half.y());
+    }
+    if (turned.x.dot(to.x) < 0) turned.x = -turned.x, turned.y = -turned.y;
+    return turned;
+}
+
+/// A dent part of the way from one to another, on the surface between them.
+PitShape between(const Network& n, const JointPoints& points, std::int32_t joint, const Vec3& centre,
+                 const PitShape& a, const PitShape& b, double share, double whole) {
+    const Vec3 way = a.middle + share * (b.middle - a.middle) - centre;
+    PitShape pit;
+    pit.z = way.norm() > 0 ? Vec3(way.normalized()) : a.z;
+    pit.middle = centre + exit_without_dents(n, points, joint, pit.z) * pit.z;
+    const Vec3 x = a.x + share * (b.x - a.x);
+    pit.x = (x - x.dot(pit.z) * pit.z).normalized();
+    pit.y = pit.z.cross(pit.x);
+    const double narrowed = 1 - (1 - whole) * 4 * share * (1 - share);
+    pit.half = narrowed * (a.half + share * (b.half - a.half));
+    return pit;
+}
+
+void add_groove(const Network& n, JointPoints& points, std::int32_t joint, const Vec3& centre, PitShape a,
+                PitShape b) {
+    const double whole = overlap(a, b);
+    if (whole == 0) return;
+    b = aligned(b, a);
+    const double narrow = std::min(a.half.head<2>().minCoeff(), b.half.head<2>().minCoeff());
+    const double distance = (b.middle - a.middle).norm();
+    const int steps =
+        std::clamp(static_cast<int>(std::lround(distance / (groove_step * narrow))), 2, longest_groove);
+    for (int i = 1; i < steps; ++i)
+        points.pits.push_back(between(n, points, joint, centre, a, b, double(i) / steps, whole));
+}
+
+}  // namespace
+
+double PitShape::press(const Vec3& centre, const Vec3& ray, double distance) const {
+    const auto local = [&](const Vec3& v) {
+        return Vec3(v.dot(x) / half.x(), v.dot(y) / half.y(), v.dot(z) / half.z());
+    };
+    const Vec3 o = local(centre - middle), d = local(ray);
+    if ((o + distance * d).squaredNorm() >= 1) return distance;
+    const double a = d.squaredNorm(), b = o.dot(d), c = o.squaredNorm() - 1, root = b * b - a * c;
+    return root > 0 ? std::min(distance, (-b - std::sqrt(root)) / a) : distance;
+}
+
+bool dents_overlap(const Plain& s, const Network& n, std::int32_t joint, std::int32_t slot,
+                   std::int32_t other) {
+    const std::int32_t a = next_node(n, slot), b = next_node(n, other);
+    if (s.cap[a] != Cap::pit || s.cap[b] != Cap::pit) return false;
+    const Vec3& centre = s.position[n.joint_node[joint]];
+    return overlap(pit_of(s, centre, a), pit_of(s, centre, b)) > 0;
+}
+
+void find_dents(const Plain& s, const Network& n, JointPoints& points) {
+    points.pit_first.assign(n.joint_count() + 1, 0);
+    for (std::int32_t j = 0; j < n.joint_count(); ++j) {
+        const auto first = points.pit_first[j] = static_cast<std::int32_t>(points.pits.size());
+        for (std::int32_t slot = n.slot_first[j]; slot < n.slot_first[j + 1]; ++slot)
+            if (points.kind[slot] == SlotKind::pit) {
+                points.extra[slot] = static_cast<std::int32_t>(points.pits.size());
+                points.pits.push_back(pit_of(s, s.position[n.joint_node[j]], next_node(n, slot)));
+            }
+        const auto own = static_cast<std::int32_t>(points.pits.size());
+        const Vec3& centre = s.position[n.joint_node[j]];
+        for (std::int32_t a = first; a < own; ++a)
+            for (std::int32_t b = a + 1; b < own; ++b)
+                add_groove(n, points, j, centre, points.pits[a], points.pits[b]);
+    }
+    points.pit_first.back() = static_cast<std::int32_t>(points.pits.size());
+}
+
+double press_dents(const JointPoints& points, std::int32_t joint, const Vec3& centre, const Vec3& ray,
+                   double distance) {
+    if (points.pits.empty()) return distance;
+    const double least = nearest_to_centre * distance;
+    for (bool moved = true; moved;) {  // until no order of the dents would take away more
+        moved = false;
+        for (std::int32_t i = points.pit_first[joint]; i < points.pit_first[joint + 1]; ++i) {
+            const double pressed = points.pits[i].press(centre, ray, distance);
+            moved = moved || pressed < distance;
+            distance = pressed;
+        }
+    }
+    return std::max(distance, least);
+}
+
+}  // namespace sinew::sqm

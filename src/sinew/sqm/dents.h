@@ -1,0 +1,23 @@
+/// @file dents.h
+/// Dents in the surface of a joint, and the grooves that they make where they overlap.
+#pragma once
+
+#include "sinew/sqm/joint_points.h"
+
+namespace sinew::sqm {
+
+/// Fills `points.pits` and what leads there. Expects all else that describes the joints' surfaces. Two dents
+/// of a joint that overlap become one groove: more dents stand between them, whose sizes go from one to the
+/// other; less where they hardly touch, so that a groove comes and goes smoothly when a dent is moved.
+void find_dents(const Plain& skeleton, const Network& network, JointPoints& points);
+
+/// Whether the dents of two slots of a joint become one groove; false if one of them is no dent.
+bool dents_overlap(const Plain& skeleton, const Network& network, std::int32_t joint, std::int32_t slot,
+                   std::int32_t other);
+
+/// Where a ray from a joint's centre meets the floor once everything from `distance` on inwards that lies in
+/// dents is taken away: the distance. Never quite the centre itself.
+double press_dents(const JointPoints& points, std::int32_t joint, const Vec3& centre, const Vec3& ray,
+                   double distance);
+
+}  // namespace sinew::sqm
