@@ -4,6 +4,7 @@
 
 #include "document/delta.h"
 #include "document/edits.h"
+#include "document/references.h"
 #include "sinew/io/files.h"
 #include "sinew/skeleton/validate.h"
 #include "temporary_folder.h"
@@ -55,6 +56,16 @@ TEST(Load, what_no_tool_could_hold_is_refused) {
         EXPECT_FALSE(load_text(native(nodes))) << nodes;
     EXPECT_FALSE(load_text("{"));
     EXPECT_FALSE(load("/no/such/file.sinew"));
+}
+
+TEST(Load, pictures_beside_the_file_are_found) {
+    const TemporaryFolder folder;
+    const char* const text = R"({"format": "sinew", "version": 1, "nodes": [],
+        "modeler": {"references": {"front": {"file": "front.png"}}}})";
+    ASSERT_TRUE(write_file(folder.file("it.sinew"), text));
+    const auto read = load(folder.file("it.sinew"));
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(references_of(read->document)[1].file, folder.file("front.png"));
 }
 
 TEST(Load, tells_what_is_measured) {

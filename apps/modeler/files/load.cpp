@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <set>
 
+#include "document/references.h"
 #include "sinew/io/skeleton_formats.h"
 
 namespace sinew::modeler {
@@ -38,11 +40,15 @@ Result<void> can_be_edited(const Document& document) {
 }
 
 Result<ReadSkeleton> load(const std::string& path) {
-    auto sound = read_skeleton(path);
-    if (sound) return sound;
-    auto loose = read_skeleton(path, {.validate = false});
-    if (!loose || !can_be_edited(loose->document)) return fail(sound.error());
-    return loose;
+    auto read = read_skeleton(path);
+    if (!read) {
+        auto loose = read_skeleton(path, {.validate = false});
+        if (!loose || !can_be_edited(loose->document)) return fail(read.error());
+        read = std::move(loose);
+    }
+    const std::string folder = std::filesystem::absolute(path).parent_path().string();
+    read->document = with_absolute_files(std::move(read->document), folder);
+    return read;
 }
 
 Document added(Document document, const Document& more) {

@@ -11,7 +11,8 @@
 namespace sinew::modeler {
 
 /// Reads a skeleton of any format. A document that validate() refuses is opened all the same if it can be
-/// edited: problems() says what is wrong with it, for as long as it is.
+/// edited: problems() says what is wrong with it, for as long as it is. File names of reference pictures are
+/// absolute then.
 Result<ReadSkeleton> load(const std::string& path);
 
 /// Fails where a tool could not even walk over it: parents in a circle, figures that are not finite, no

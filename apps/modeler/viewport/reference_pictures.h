@@ -3,9 +3,9 @@
 #pragma once
 
 #include <QImage>
-#include <QString>
 #include <array>
 
+#include "document/references.h"
 #include "document/screen.h"
 #include "sinew/render/camera.h"
 
@@ -13,18 +13,25 @@ class QPainter;
 
 namespace sinew::modeler {
 
-/// A picture that stands in the plane across one axis, its middle at the origin.
+/// What the document remembers, and the picture itself; none where the file cannot be read.
 struct ReferencePicture {
-    QString file;
+    Reference what;
     QImage image;
-    double height = 4;  ///< in the document's units
-    double opacity = 0.5;
-
-    bool load(const QString& path);  ///< false where it is no picture that can be read
 };
 
-/// By the axis one looks along: x (side), y (front), z (above).
-using ReferencePictures = std::array<ReferencePicture, 3>;
+class ReferencePictures {
+  public:
+    /// Reads the files that are not read yet.
+    void follow(const Document& document);
+    const ReferencePicture& operator[](int axis) const { return pictures_[axis]; }
+
+  private:
+    std::array<ReferencePicture, 3> pictures_;
+    std::string seen_;  ///< what the document said last
+};
+
+/// Nothing where the file is no picture that can be read.
+QImage read_picture(const std::string& file);
 
 /// Paints the picture of the axis that the camera looks along; nothing from any other direction.
 void paint_reference(QPainter& painter, const ReferencePictures& pictures, const Camera& camera,

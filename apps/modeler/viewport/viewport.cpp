@@ -34,7 +34,10 @@ Viewport::Viewport(Model& model, Interaction& tools, const ViewSettings& view, Q
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(320, 240);
-    model_.observe([this](const Changes&) { update(); });
+    model_.observe([this](const Changes& changes) {
+        if (changes.document) references_.follow(model_.document());
+        update();
+    });
 }
 
 Viewport::~Viewport() { release(); }

@@ -26,7 +26,7 @@ class Viewport : public QOpenGLWidget {
     void set_camera(const Camera& camera);
     Screen screen() const;
     Pointer pointer() const;  ///< where it is now, with the modifiers that are held
-    ReferencePictures& references() { return references_; }
+    const ReferencePictures& references() const { return references_; }
 
     void start(Modal modal);
 

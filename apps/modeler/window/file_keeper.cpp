@@ -9,6 +9,7 @@
 #include <QStandardPaths>
 
 #include "document/edits.h"
+#include "document/references.h"
 #include "files/load.h"
 #include "sinew/io/formats.h"
 #include "sinew/io/skeleton_formats.h"
@@ -41,6 +42,15 @@ void remember(const QString& path) {
     recent.prepend(path);
     QSettings().setValue("recent", recent.mid(0, most_recent));
 }
+
+/// What cannot be opened any more is not offered again.
+void forget(const QString& path) {
+    QStringList recent = FileKeeper::recent();
+    recent.removeAll(QFileInfo(path).absoluteFilePath());
+    QSettings().setValue("recent", recent);
+}
+
+std::string folder_of(const QString& path) { return QFileInfo(path).absolutePath().toStdString(); }
 
 QString ask_path(QWidget& window, const QString& title, QFileDialog::AcceptMode mode, const QString& start) {
     const QString home = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -111,20 +121,19 @@ bool FileKeeper::new_document() {
 }
 
 bool FileKeeper::open() {
-    if (!may_replace()) return false;
     const QString path = ask_path(window_, "Open a skeleton", QFileDialog::AcceptOpen, path_);
-    if (path.isEmpty()) return false;
-    model_.mark_saved();  // was asked above
-    return open(path);
+    return !path.isEmpty() && open(path);
 }
 
 bool FileKeeper::open(const QString& path) {
-    if (!may_replace()) return false;
+    // What cannot be opened is no reason to ask what is to become of what is open.
     auto read = load(path.toStdString());
     if (!read) {
+        forget(path);
         show_error("This file cannot be opened", read.error());
         return false;
     }
+    if (!may_replace()) return false;
     model_.replace(std::move(read->document), true);
     set_path(path, read->measured, std::move(read->warnings));
     return true;
@@ -144,7 +153,8 @@ bool FileKeeper::save_as() {
 }
 
 bool FileKeeper::save_to(const QString& path) {
-    auto written = write_skeleton(model_.document(), path.toStdString());
+    auto written =
+        write_skeleton(with_relative_files(model_.document(), folder_of(path)), path.toStdString());
     if (!written) {
         show_error("The skeleton was not saved", written.error());
         return false;

@@ -3,6 +3,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QImageReader>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
@@ -238,7 +239,9 @@ void MainWindow::lock(bool locked) {
 }
 
 void MainWindow::open_dropped(const QString& path) {
-    if (path.endsWith(".lsys", Qt::CaseInsensitive)) return host_->grow_file(path);
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (ending == "lsys") return host_->grow_file(path);
+    if (QImageReader::supportedImageFormats().contains(ending.toLatin1())) return host_->draw_after(path);
     if (files_.open(path)) host_->frame(true);
 }
 

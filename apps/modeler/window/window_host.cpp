@@ -8,12 +8,14 @@
 #include "document/edits.h"
 #include "sinew/skeleton/graph.h"
 #include "viewport/navigation.h"
+#include "viewport/view_grid.h"
 #include "viewport/viewport.h"
 #include "window/adjust_panel.h"
 #include "window/dialogs.h"
 #include "window/export_dialog.h"
 #include "window/grow_dialog.h"
 #include "window/main_window.h"
+#include "window/reference_dialog.h"
 #include "window/shortcut_sheet.h"
 #include "window/type_menu.h"
 
@@ -106,8 +108,21 @@ void WindowHost::stop_growing() {
 }
 
 void WindowHost::reference_pictures() {
-    ask_reference_pictures(&window_, window_.viewport().references(),
-                           [this] { window_.viewport().update(); });
+    ReferenceDialog dialog(window_.model(), &window_);
+    // Below the middle, so that what one places is seen.
+    const QPoint corner = window_.viewport().mapToGlobal(QPoint(0, window_.viewport().height()));
+    dialog.adjustSize();
+    dialog.move(corner.x() + (window_.viewport().width() - dialog.width()) / 2,
+                corner.y() - dialog.height() - 24);
+    dialog.exec();
+}
+
+void WindowHost::draw_after(const QString& picture) {
+    const int seen = axis_seen_along(window_.viewport().camera());
+    if (seen < 0) look_from(StandardView::front);
+    const bool read = set_reference(window_.model(), seen < 0 ? 1 : seen, picture);
+    message(QFileInfo(picture).fileName().toStdString() +
+            (read ? " is a reference picture now; File has its height and place" : " cannot be read"));
 }
 
 void WindowHost::quit() { window_.close(); }

@@ -41,6 +41,8 @@ class WindowHost : public Host {
     void message(const std::string& text) override;
 
     void grow_file(const QString& path);
+    /// Puts a picture behind the view along an axis that one has, else behind the one from the front.
+    void draw_after(const QString& picture);
     void stop_growing();
 
     std::function<void()> palette_wanted, rename_wanted;
