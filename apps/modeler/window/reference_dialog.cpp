@@ -59,6 +59,7 @@ ReferenceDialog::ReferenceDialog(Model& model, QWidget* parent) : QDialog(parent
     column->addLayout(grid);
     column->addWidget(dim("Seen while one looks along their axis; saved with the skeleton."));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter ends a field
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     column->addWidget(buttons);
     refresh();
@@ -80,8 +81,10 @@ void ReferenceDialog::add_row(QGridLayout& grid, int axis, const char* title) {
     grid.addWidget(new QLabel(title), row, 0);
     grid.addWidget(made.choose, row, 1);
     grid.addWidget(made.clear, row, 2);
-    made.height = add_number(grid, axis, 3, "height", &Reference::height);
-    made.height->setMinimum(1e-6);
+    made.height = add_number(grid, axis, 3, "height", 1e-6);
+    connect(made.height, &QDoubleSpinBox::valueChanged, this, [this, axis](double height) {
+        change(axis, 1, [height](Reference& reference) { reference.height = height; });
+    });
     made.right = add_offset(grid, axis, 4, "right", 0);
     made.up = add_offset(grid, axis, 5, "up", 1);
     grid.addWidget(made.opacity, row, 6);
@@ -94,24 +97,20 @@ void ReferenceDialog::add_row(QGridLayout& grid, int axis, const char* title) {
 }
 
 NumberBox* ReferenceDialog::add_number(QGridLayout& grid, int axis, int column, const char* name,
-                                       double Reference::*value) {
+                                       double least) {
     auto* box = new NumberBox;
     box->setObjectName(QString("%1_%2").arg(name).arg(axis));
-    box->setRange(-1e6, 1e6);
+    box->setRange(least, 1e6);
     box->setMinimumWidth(80);
     if (!model_.document().unit.empty()) box->setSuffix(" " + QString::fromStdString(model_.document().unit));
     grid.addWidget(box, grid.rowCount() - 1, column);
-    if (value)
-        connect(box, &QDoubleSpinBox::valueChanged, this, [this, axis, column, value](double number) {
-            change(axis, column, [=](Reference& reference) { reference.*value = number; });
-        });
     return box;
 }
 
 NumberBox* ReferenceDialog::add_offset(QGridLayout& grid, int axis, int column, const char* name, int part) {
-    NumberBox* box = add_number(grid, axis, column, name, nullptr);
-    connect(box, &QDoubleSpinBox::valueChanged, this, [this, axis, column, part](double number) {
-        change(axis, column, [=](Reference& reference) { reference.offset[part] = number; });
+    NumberBox* box = add_number(grid, axis, column, name, -1e6);
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, axis, part](double offset) {
+        change(axis, 2 + part, [=](Reference& reference) { reference.offset[part] = offset; });
     });
     return box;
 }

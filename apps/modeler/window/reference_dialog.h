@@ -4,6 +4,7 @@
 
 #include <QDialog>
 #include <array>
+#include <functional>
 
 #include "document/model.h"
 #include "document/references.h"
@@ -28,8 +29,7 @@ class ReferenceDialog : public QDialog {
         QSlider* opacity = nullptr;
     };
     void add_row(QGridLayout& grid, int axis, const char* title);
-    NumberBox* add_number(QGridLayout& grid, int axis, int column, const char* name,
-                          double Reference::*value);
+    NumberBox* add_number(QGridLayout& grid, int axis, int column, const char* name, double least);
     NumberBox* add_offset(QGridLayout& grid, int axis, int column, const char* name, int part);
     void choose(int axis);
     void change(int axis, int key, const std::function<void(Reference&)>& what);

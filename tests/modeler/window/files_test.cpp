@@ -6,10 +6,8 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
-#include <QDropEvent>
 #include <QFile>
 #include <QLineEdit>
-#include <QMimeData>
 #include <QProcess>
 #include <QSpinBox>
 #include <QTest>
@@ -64,21 +62,6 @@ TEST(Files, what_is_saved_is_what_was_drawn) {
     EXPECT_TRUE(same(again.document(), drawn));
 }
 
-TEST(Files, a_changed_document_asks_before_it_closes) {
-    Robot robot;
-    robot.look_from_front();
-    robot.drag({0, 0, 0}, {2, 0, 1});
-    bool asked = false;
-    robot.when_dialog("ask_to_save", [&](QDialog& dialog) {
-        asked = true;
-        Robot::screenshot(dialog, "10-ask-to-save");
-        QTest::keyClick(&dialog, Qt::Key_Escape);
-    });
-    robot.key(Qt::Key_Q, Qt::ControlModifier);
-    EXPECT_TRUE(asked);
-    EXPECT_TRUE(robot.window().isVisible());
-}
-
 TEST(Files, a_dropped_file_is_opened) {
     const TemporaryFolder folder;
     const QString path = path_in(folder, "neuron.swc");
@@ -87,13 +70,7 @@ TEST(Files, a_dropped_file_is_opened) {
     file.write("1 1 0 0 0 1 -1\n2 3 0 0 4 0.5 1\n3 3 2 0 8 0.3 2\n4 3 -2 0 8 0.3 2\n");
     file.close();
     Robot robot;
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(path)});
-    QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&robot.window(), &enter);
-    EXPECT_TRUE(enter.isAccepted());
-    QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&robot.window(), &drop);
+    robot.drop(path);
     ASSERT_TRUE(Robot::wait([&] { return robot.document().nodes.size() == 4; }));
     ASSERT_TRUE(robot.wait_for_mesh());
     EXPECT_TRUE(robot.window().meshes().mesh()->validation->solid());
@@ -156,7 +133,7 @@ TEST(Files, what_a_crash_left_is_recovered) {
     QProcess child;
     child.setProcessChannelMode(QProcess::ForwardedChannels);
     child.start(QCoreApplication::applicationFilePath(), {"--draw-and-crash"});
-    ASSERT_TRUE(child.waitForFinished(120000));
+    ASSERT_TRUE(child.waitForFinished(Robot::patience));
     ASSERT_EQ(child.exitStatus(), QProcess::CrashExit) << child.exitCode();
 
     Robot* robot = nullptr;

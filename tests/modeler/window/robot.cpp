@@ -5,8 +5,10 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QPushButton>
 #include <QScreen>
 #include <QTest>
@@ -24,8 +26,6 @@ namespace {
 QString path_of(const std::string& name) {
     return QString(SCREENSHOT_FOLDER) + "/" + QString::fromStdString(name) + ".png";
 }
-
-constexpr int patience = 120000;  ///< milliseconds: a loaded machine of two cores, with sanitizers
 
 }  // namespace
 
@@ -79,7 +79,16 @@ void Robot::drag(const Vec3& from, const Vec3& to, Qt::KeyboardModifiers held) {
     QTest::mouseRelease(&viewport, Qt::LeftButton, held, end);
 }
 
+/// Shortcuts are those of the active window, and it takes a moment to become active again after a dialog.
+void Robot::look_at_window() {
+    if (QApplication::activeModalWidget() || QApplication::activePopupWidget() || !window_->isVisible())
+        return;
+    if (!window_->isActiveWindow()) window_->activateWindow();
+    if (!wait([this] { return window_->isActiveWindow(); })) qWarning("the window is not active again");
+}
+
 void Robot::key(Qt::Key key, Qt::KeyboardModifiers held) {
+    look_at_window();
     QWidget* target = QApplication::focusWidget();
     QTest::keyClick(target ? target : &window_->viewport(), key, held);
 }
@@ -102,7 +111,7 @@ void Robot::when_dialog(const QString& name, std::function<void(QDialog&)> then)
     auto* timer = new QTimer(window_.get());
     QObject::connect(timer, &QTimer::timeout, window_.get(), [name, then, timer] {
         auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-        if (!dialog || dialog->objectName() != name || !dialog->isVisible()) return;
+        if (!dialog || dialog->objectName() != name || !dialog->isActiveWindow()) return;
         timer->stop();
         timer->deleteLater();
         then(*dialog);
@@ -115,13 +124,17 @@ namespace {
 void paste_path(QDialog& dialog, const QString& path) {
     auto* edit = dialog.findChild<QLineEdit*>("fileNameEdit");
     edit->setFocus();
-    edit->selectAll();
-    // Pasted: the dialog selects each folder that one types on the way.
     QApplication::clipboard()->setText(path);
-    QTest::keyClick(edit, Qt::Key_V, Qt::ControlModifier);
     const auto* files = qobject_cast<QFileDialog*>(&dialog);
-    if (!Robot::wait([&] { return files->selectedFiles() == QStringList{path}; }))
-        qWarning("the dialog does not take the path");
+    // Pasted: the dialog selects each folder that one types on the way. Again, where the dialog has put the
+    // name of the file it starts with in its place, once it has read the folder.
+    const bool taken = Robot::wait([&] {
+        if (edit->text() == path) return files->selectedFiles() == QStringList{path};
+        edit->selectAll();
+        QTest::keyClick(edit, Qt::Key_V, Qt::ControlModifier);
+        return false;
+    });
+    if (!taken) qWarning("the dialog does not take the path");
     const auto role =
         files->acceptMode() == QFileDialog::AcceptSave ? QDialogButtonBox::Save : QDialogButtonBox::Open;
     QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(role), Qt::LeftButton);
@@ -129,13 +142,33 @@ void paste_path(QDialog& dialog, const QString& path) {
 
 }  // namespace
 
+void Robot::when_asked_for_file(const QString& dialog, const QString& path) {
+    when_dialog(dialog, [path](QDialog& asked) { paste_path(asked, path); });
+}
+
+void Robot::drop(const QString& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &enter);
+    if (!enter.isAccepted()) return qWarning("the window does not take what is dragged");
+    QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &drop);
+}
+
+void Robot::command(const QString& name) {
+    key(Qt::Key_K, Qt::ControlModifier);
+    type(name);
+    key(Qt::Key_Return);
+}
+
 void Robot::save_as(const QString& path) {
-    when_dialog("save_dialog", [path](QDialog& dialog) { paste_path(dialog, path); });
+    when_asked_for_file("save_dialog", path);
     key(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
 }
 
 void Robot::open(const QString& path) {
-    when_dialog("open_dialog", [path](QDialog& dialog) { paste_path(dialog, path); });
+    when_asked_for_file("open_dialog", path);
     key(Qt::Key_O, Qt::ControlModifier);
 }
 

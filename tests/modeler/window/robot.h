@@ -37,7 +37,10 @@ class Robot {
     void key(Qt::Key key, Qt::KeyboardModifiers held = {});
     void type(const QString& text);  ///< into whatever has the focus
 
-    /// @return true as soon as the condition holds; false after a generous limit
+    /// Milliseconds after which nothing more is to be hoped for: longer than sanitizers on a machine where
+    /// others work need.
+    static constexpr int patience = 600'000;
+    /// @return true as soon as the condition holds; false when patience is over
     static bool wait(const std::function<bool()>& condition);
     /// Until the mesh shown is that of the document, and measured.
     bool wait_for_mesh();
@@ -46,9 +49,15 @@ class Robot {
     /// say it before.
     void when_dialog(const QString& name, std::function<void(QDialog&)> then);
 
-    /// Saves under a name by Ctrl+Shift+S, and opens by Ctrl+O: the path is pasted into the dialog.
+    /// Once the file dialog of this name is open, pastes the path into it and accepts.
+    void when_asked_for_file(const QString& dialog, const QString& path);
+    /// Saves under a name by Ctrl+Shift+S, and opens by Ctrl+O.
     void save_as(const QString& path);
     void open(const QString& path);
+    /// Drops a file on the window.
+    void drop(const QString& path);
+    /// Runs a command by the first letters of its name, as the command palette finds it.
+    void command(const QString& name);
 
     /// A picture of the window in the build folder; those called guide-... are for the handbook.
     void screenshot(const std::string& name);
@@ -58,6 +67,8 @@ class Robot {
     void close_unsaved();
 
   private:
+    void look_at_window();
+
     std::unique_ptr<MainWindow> window_;
 };
 
