@@ -207,9 +207,19 @@ class Fitter {
         const bool meet = ends[0].rings() > 0 && ends[1].rings() > 0 &&
                           ring_count(p) - ends[0].rings() - ends[1].rings() < 2;
         for (int pass = 0; pass < (meet ? 4 : 1); ++pass)
-            for (int side = 0; side < 2; ++side) fit_end(p, side, ends[side], ends[1 - side]);
+            for (int side = 0; side < 2; ++side) {
+                const std::vector<ProfileRow> before = ends[side].fitted;
+                fit_end(p, side, ends[side], ends[1 - side]);
+                if (pass > 0) meet_halfway(before, ends[side].fitted);
+            }
         for (int side = 0; side < 2; ++side)
             if (ends[side].rings() > 0) move_end(p, side, held, ends[side]);
+    }
+    /// Ends that meet would else overshoot each other in turn.
+    static void meet_halfway(const std::vector<ProfileRow>& before, std::vector<ProfileRow>& fitted) {
+        for (std::size_t i = 0; i < fitted.size(); ++i)
+            fitted[i] = {(before[i].height + fitted[i].height) / 2,
+                         (before[i].radius + fitted[i].radius) / 2};
     }
     void move_end(std::int32_t p, int side, double held, const RoundEnd& end) {
         const std::int32_t sides = d_.refinement.path_sides[p];
