@@ -3,10 +3,12 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "sinew/sqm/cell_room.h"
 #include "sinew/sqm/joint_surface.h"
 
 namespace sinew::sqm {
@@ -40,6 +42,8 @@ class Caster {
         centre_ = s_.position[n_.joint_node[joint]];
         const Form* body = points_.body[joint];
         if (body && body->kind == Form::Kind::box) return box(*body);
+        rooms_.clear();
+        if (!body) find_rooms();
         Vec3* at = &points_.position[points_.first[joint]];
         for (std::int32_t v = p_.vertex_first[joint]; v < p_.vertex_first[joint + 1]; ++v)
             *at++ = along(from_ball_space(body, p_.vertices[v]));
@@ -57,7 +61,17 @@ class Caster {
             const double along = ray.dot(points_.cone[slot].axis);
             if (along > 0 && distance * along > points_.limit[slot]) distance = points_.limit[slot] / along;
         }
-        return centre_ + distance * ray;
+        double way = distance;
+        for (const CellRoom& room : rooms_) way = std::min(way, room.way_out(centre_, ray, distance));
+        return centre_ + way * ray;
+    }
+    /// A bone too short for the joints at both its ends: this one stays within the cell of the other.
+    void find_rooms() {
+        for (std::int32_t slot = n_.slot_first[joint_]; slot < n_.slot_first[joint_ + 1]; ++slot) {
+            if (!points_.crowded[slot]) continue;
+            const PathEnd& other = n_.path_end[n_.slot_path[slot] / 2][1 - n_.slot_path[slot] % 2];
+            if (!points_.body[other.joint]) rooms_.emplace_back(s_, n_, p_, points_, other.joint, other.slot);
+        }
     }
 
     bool is_pit(std::int32_t cell) const {
@@ -114,6 +128,7 @@ class Caster {
     JointPoints& points_;
     std::int32_t joint_ = 0;
     Vec3 centre_;
+    std::vector<CellRoom> rooms_;
 };
 
 }  // namespace

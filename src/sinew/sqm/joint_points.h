@@ -46,8 +46,9 @@ struct JointPoints {
     // By slot (Network::slot_first).
     std::vector<ConeFrom> cone;  ///< the round cone of the slot's first bone, from the joint
     std::vector<SlotKind> kind;
-    std::vector<double> limit;        ///< how far along its bone the joint may reach
-    std::vector<std::int32_t> extra;  ///< index in beams or pits, by kind
+    std::vector<double> limit;          ///< how far along its bone the joint may reach
+    std::vector<std::uint8_t> crowded;  ///< its bone leads straight to a joint, too short for what both want
+    std::vector<std::int32_t> extra;    ///< index in beams or pits, by kind
     std::vector<BeamFrom> beams;
     /// Joint by joint: its dents, and more along the grooves that they make where they overlap.
     std::vector<PitShape> pits;

@@ -48,6 +48,7 @@ void share_bone(const Network& n, std::int32_t path, JointPoints& points) {
     } else {
         points.limit[a] = whole * wanted_a / (wanted_a + wanted_b);
         points.limit[b] = whole * wanted_b / (wanted_a + wanted_b);
+        points.crowded[a] = points.crowded[b] = 1;
     }
 }
 
@@ -149,6 +150,7 @@ void find_joint_surfaces(const Plain& s, const Network& n, JointPoints& points) 
     points.cone.resize(slots);
     points.kind.resize(slots, SlotKind::cone);
     points.limit.resize(slots, no_limit);
+    points.crowded.resize(slots, 0);
     points.extra.resize(slots, -1);
     points.body.resize(n.joint_count());
     points.only_cones.assign(n.joint_count(), 1);

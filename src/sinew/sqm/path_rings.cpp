@@ -80,22 +80,38 @@ class RingPlacer {
         return w_.radius(i) * std::min(1.0, std::sqrt((1 - cosine) / (1 + cosine + 1e-12)));
     }
 
-    /// Rings inside a joint's own part are left out, but for those that were asked for.
+    /// Whether a place is seen from a joint through its cell, or hardly beside it.
+    bool in_cell(const JointSide& side, const Vec3& place) const {
+        constexpr double hardly = 0.1;                  // sine
+        const double turn = &side == &w_.far ? -1 : 1;  // its points go clockwise
+        const Vec3 to = (place - side.centre).normalized();
+        const Vec3* before = &side.points.back();
+        for (const Vec3& point : side.points) {
+            const Vec3 wall = before->cross(point);
+            if (turn * wall.dot(to) < -hardly * wall.norm()) return false;
+            before = &point;
+        }
+        return true;
+    }
+    /// Rings inside a joint's own part are left out, but for those that were asked for, and those from which
+    /// the path turns into its neighbours' part.
     void leave_out_nodes() {
-        const auto inside = [&](const JointSide& side, std::int32_t i, const Vec3& axis) {
+        const auto inside = [&](const JointSide& side, std::int32_t i, std::int32_t next, const Vec3& axis) {
             if (is_fixed(i)) return false;
             const Vec3 from = w_.position(i) - side.centre;
             const double r = w_.radius(i);
             if (const Form* body = w_.points.body[side.joint]; body && body->kind != Form::Kind::blend)
                 return from.norm() <
                        exit_of_joint(w_.n, w_.points, side.joint, side.centre, from.normalized());
-            return from.dot(axis) - lean(i) < side.reach + 0.1 * r && from.norm() < side.farthest + 0.1 * r;
+            return from.dot(axis) - lean(i) < side.reach + 0.1 * r && from.norm() < side.farthest + 0.1 * r &&
+                   in_cell(side, w_.position(next));
         };
         const std::int32_t last = w_.count() - 1;
         if (w_.near.any())
-            for (std::int32_t i = 1; i < last && inside(w_.near, i, w_.direction(0)); ++i) kept_[i] = 0;
+            for (std::int32_t i = 1; i < last && inside(w_.near, i, i + 1, w_.direction(0)); ++i)
+                kept_[i] = 0;
         if (w_.far.any())
-            for (std::int32_t i = last - 1; i > 0 && inside(w_.far, i, -w_.direction(last - 1)); --i)
+            for (std::int32_t i = last - 1; i > 0 && inside(w_.far, i, i - 1, -w_.direction(last - 1)); --i)
                 kept_[i] = 0;
     }
 

@@ -11,13 +11,14 @@ namespace sinew::sqm {
 /// What a joint takes of the path that leaves it.
 struct JointSide {
     std::int32_t joint = -1, cell = -1;
-    Vec3 centre = Vec3::Zero();
-    std::vector<std::uint32_t> ring;  ///< its points, counter-clockwise in the path's sense
-    std::vector<Vec3> points;         ///< their places, from the joint's centre
-    double reach = 0;                 ///< how far they go along the bone
-    double farthest = 0;              ///< and from the joint's centre
-    double widest = 1;                ///< cosine of the greatest angle between one of them and the bone
-    double narrowest = -1;            ///< and of the least one
+    Vec3 centre = Vec3::Zero(), axis = Vec3::UnitZ();  ///< the bone's direction from there
+    std::vector<std::uint32_t> ring;                   ///< its points, counter-clockwise in the path's sense
+    std::vector<Vec3> points;                          ///< their places, from the joint's centre
+    double reach = 0;                                  ///< how far they go along the bone
+    double farthest = 0;                               ///< and from the joint's centre
+    double widest = 1;      ///< cosine of the greatest angle between one of them and the bone
+    double narrowest = -1;  ///< and of the least one
+    double room = 0;  ///< tangent of the least angle between the bone and the cell's border; 0: no limit
 
     bool any() const { return joint >= 0; }
 };

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sinew/base/portable_math.h"
+#include "sinew/sqm/cell_room.h"
 #include "sinew/sqm/dents.h"
 #include "sinew/sqm/features.h"
 #include "sinew/sqm/fit.h"
@@ -173,7 +174,34 @@ class Placer {
         }
         poles(p);
         dent(p);
+        pull_in(p);
         follow(p);
+    }
+    /// Rings on the first bone from a joint that are too wide for its cell.
+    void pull_in(std::int32_t p) {
+        const Stations& s = d_.stations;
+        const auto [near, far] = s.crowded[p];
+        if (!near && !far) return;
+        const auto nodes = n_.nodes(p), bones = n_.bones(p);
+        const std::size_t last = nodes.size() - 1, sides = d_.refinement.path_sides[p];
+        const CellRoom a = room_of_end(p, near ? 0 : 1), b = room_of_end(p, far ? 1 : 0);
+        for (std::int32_t i = s.first[p]; i < s.first[p + 1]; ++i) {
+            const Station& ring = s.stations[i];
+            const bool in_a = near && may_be_pulled(ring, bones[0], nodes[1]),
+                       in_b = far && may_be_pulled(ring, bones[last - 1], nodes[last - 1]);
+            for (std::size_t k = 0; (in_a || in_b) && k < sides; ++k) {
+                Vec3f& at = out_.mesh.positions[vertex_at(p, i, static_cast<std::int32_t>(k))];
+                const Vec3 v = at.cast<double>();
+                at = (in_a && in_b ? Vec3(0.5 * (a.pull_in(b.pull_in(v)) + b.pull_in(a.pull_in(v))))
+                      : in_a       ? a.pull_in(v)
+                                   : b.pull_in(v))
+                         .cast<float>();
+            }
+        }
+    }
+    CellRoom room_of_end(std::int32_t p, int end) const {
+        const PathEnd& e = n_.path_end[p][end];
+        return {d_.skeleton, n_, d_.polyhedra, d_.points, e.joint, e.slot};
     }
     /// The rings of a dent. Where another dent overlaps it they stay within the cell that is theirs, so that
     /// the floor goes on from one to the other without a fold.
@@ -265,23 +293,26 @@ class Placer {
                     const std::uint32_t target = to_pole ? out_.path_pole[p][1 - side]
                                                          : out_.path_vertex[p] + (proper - first) * sides + k;
                     set(out_.path_vertex[p] + (i - first) * sides + k,
-                        between(e.joint, position(joint_ring[k]), position(target), s.stations[i].share),
+                        between(e, position(joint_ring[k]), position(target), s.stations[i].share),
                         s.stations[i].node);
                 }
         }
     }
-    Vec3 between(std::int32_t joint, const Vec3& at_joint, const Vec3& on_ring, double share) const {
-        const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
+    Vec3 between(const PathEnd& e, const Vec3& at_joint, const Vec3& on_ring, double share) const {
+        const Vec3& centre = d_.skeleton.position[n_.joint_node[e.joint]];
+        const std::int32_t slot = n_.slot_first[e.joint] + e.slot;
         const Vec3 a = at_joint - centre, b = on_ring - centre;
         const double la = a.norm(), lb = b.norm();
-        const Form* body = d_.points.body[joint];
+        const Form* body = d_.points.body[e.joint];
         const Vec3 u = to_ball_space(body, a / la), v = to_ball_space(body, b / lb);
         const double sine = u.cross(v).norm(), angle = portable::angle_of(sine, u.dot(v));
         if (!(angle > 1e-6 && angle < 3.1)) return at_joint + share * (on_ring - at_joint);
         const Vec3 ray = from_ball_space(body, (portable::sine_cosine((1 - share) * angle).sine * u +
                                                 portable::sine_cosine(share * angle).sine * v) /
                                                    sine);
-        return centre + exit_of_joint(n_, d_.points, joint, centre, ray) * ray;
+        const double exit = exit_of_joint(n_, d_.points, e.joint, centre, ray),
+                     along = ray.dot(d_.points.cone[slot].axis), limit = d_.points.limit[slot];
+        return centre + (exit * along > limit ? limit / along : exit) * ray;
     }
 
     void poles(std::int32_t p) {

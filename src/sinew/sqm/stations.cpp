@@ -21,21 +21,37 @@ double cosine_to_inside(const Vec3& axis, const Vec3& from, const Vec3& to) {
     return std::sqrt(std::clamp(square, 0.0, 1.0));  // length of what the axis throws on the plane of the arc
 }
 
-/// How far along its bone the side of a cone needs to be inside the directions of its cell, so that it cannot
-/// run into the neighbours' tubes: where a ring is seen under the least angle between the bone and the cell's
-/// border. Not further than the joint may reach; 0 where that is not enough.
-double height_in_cell(const JointSide& side, const ConeFrom& cone, double limit) {
+/// Tangent of the least angle between the bone and the border of its cell; 0 if that is a right angle or
+/// more.
+double room_in_cell(const JointSide& side, const Vec3& axis) {
     double cosine = side.narrowest;
     const Vec3* before = &side.points.back();
     for (const Vec3& point : side.points) {
-        cosine = std::max(cosine, cosine_to_inside(cone.axis, *before, point));
+        cosine = std::max(cosine, cosine_to_inside(axis, *before, point));
         before = &point;
     }
-    if (cosine <= 0 || cone.nested()) return 0;
-    const double tangent = std::sqrt(std::max(0.0, 1 - cosine * cosine)) / cosine;
-    const double closing = cone.cosine * tangent + cone.sine;
+    return cosine > 0 ? std::sqrt(std::max(0.0, 1 - cosine * cosine)) / cosine : 0;
+}
+
+/// How far along its bone the side of a cone needs to be inside the directions of its cell, so that it cannot
+/// run into the neighbours' tubes. Not further than the joint may reach; 0 where that is not enough.
+double height_in_cell(const JointSide& side, const ConeFrom& cone, double limit) {
+    if (side.room <= 0 || cone.nested()) return 0;
+    const double closing = cone.cosine * side.room + cone.sine;
     const double height = closing > 0 ? cone.near / closing : limit;
     return height < limit ? height : 0;
+}
+
+/// Whether a ring on the bone that leaves a joint is too wide for the joint's cell, from its centre.
+bool is_crowded(const JointSide& side, const Station& ring) {
+    constexpr double tight = 0.95;
+    const double across = ring.half.maxCoeff();
+    double height = (ring.centre - side.centre).dot(side.axis);
+    if (ring.shape == RingShape::node) {  // leans over the bone
+        const double cosine = std::abs(ring.tangent.dot(side.axis));
+        height -= across * std::sqrt(std::max(0.0, 1 - cosine * cosine)) / std::max(0.2, cosine);
+    }
+    return across > tight * side.room * height;
 }
 
 void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
@@ -45,6 +61,7 @@ void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
     side.reach = side.farthest = 0;
     side.widest = 1;
     side.narrowest = -1;
+    side.room = 0;
     if (!end.at_joint()) return;
     side.cell = w.p.cell_first[end.joint] + end.slot;
     append_ring(w.p, w.r, w.points, end.joint, side.cell, side.ring);
@@ -52,6 +69,7 @@ void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
     side.centre = w.s.position[w.n.joint_node[end.joint]];
     const std::int32_t slot = w.n.slot_first[end.joint] + end.slot;
     const ConeFrom& cone = w.points.cone[slot];
+    side.axis = cone.axis;
     for (const std::uint32_t i : side.ring) {
         const Vec3& point = side.points.emplace_back(w.points.position[i] - side.centre);
         const double distance = point.norm(), along = point.dot(cone.axis), cosine = along / distance;
@@ -61,8 +79,21 @@ void take_joint(PathWork& w, JointSide& side, const PathEnd& end, bool is_far) {
         side.narrowest = std::max(side.narrowest, cosine);
     }
     if (w.points.body[end.joint] || w.points.kind[slot] != SlotKind::cone) return;
+    side.room = room_in_cell(side, cone.axis);
     const double limit = std::min(cone.length - 0.25 * cone.far, w.points.limit[slot]);
     side.reach = std::max(side.reach, height_in_cell(side, cone, limit));
+}
+
+void find_crowded(const PathWork& w) {
+    std::array<std::uint8_t, 2> crowded{};
+    for (int end = 0; end < 2; ++end) {
+        const JointSide& side = end == 0 ? w.near : w.far;
+        if (side.room <= 0) continue;
+        const std::int32_t bone = end == 0 ? 0 : w.bone_count() - 1, node = w.node(end == 0 ? 1 : bone);
+        for (const Station& ring : w.rings)
+            if (may_be_pulled(ring, w.bones[bone], node)) crowded[end] |= is_crowded(side, ring);
+    }
+    w.out.crowded.push_back(crowded);
 }
 
 /// @param least_rings  rings that the path must have, so that no two paths share an edge
@@ -80,6 +111,7 @@ void build(PathWork& w, std::int32_t path, std::int32_t least_rings) {
     place_rings(w, false);
     if (std::ssize(w.rings) < least_rings) place_rings(w, true);
     find_angles(w);
+    find_crowded(w);
     add_follow_rings(w);
     w.out.stations.insert(w.out.stations.end(), w.rings.begin(), w.rings.end());
     w.out.first.push_back(static_cast<std::int32_t>(w.out.stations.size()));
@@ -109,7 +141,7 @@ std::vector<std::uint8_t> least_rings(const Network& n) {
 
 void clear(Stations& s) {
     s.stations.clear(), s.angle.clear(), s.near_uneven.clear(), s.far_uneven.clear();
-    s.far_shift.clear(), s.corner.clear();
+    s.far_shift.clear(), s.corner.clear(), s.crowded.clear();
     s.first = s.angle_first = {0};
 }
 
@@ -123,6 +155,7 @@ void reserve(Stations& all, const Stations& part, const Network& n, const Refine
         array->reserve(columns);
     for (std::vector<std::int32_t>* array : {&all.first, &all.angle_first, &all.far_shift, &all.corner})
         array->reserve(n.path_count() + 1);
+    all.crowded.reserve(n.path_count());
 }
 
 void append_part(Stations& to, const Stations& from) {
@@ -138,6 +171,7 @@ void append_part(Stations& to, const Stations& from) {
     append(to.far_uneven, from.far_uneven);
     append(to.far_shift, from.far_shift);
     append(to.corner, from.corner);
+    append(to.crowded, from.crowded);
 }
 
 }  // namespace

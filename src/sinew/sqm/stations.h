@@ -3,6 +3,7 @@
 /// stay true of them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -64,6 +65,8 @@ struct Stations {
     std::vector<std::int32_t>
         far_shift;  ///< path -> column k ends in vertex k + shift of the far ring, in the path's sense
     std::vector<std::int32_t> corner;  ///< path -> its first corner column; -1 if it has no corners
+    std::vector<std::array<std::uint8_t, 2>>
+        crowded;  ///< path -> whether a ring on its first and its last bone is too wide for the joint's cell
 };
 
 struct StationOptions {
@@ -75,6 +78,13 @@ struct StationOptions {
 Stations make_stations(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,
                        const Refinement& refinement, const JointPoints& points,
                        const StationOptions& options = {});
+
+/// Whether a ring may be pulled into the cell of the joint that a bone leaves: it is on the bone, or at the
+/// node beyond it, and of no form that was asked for.
+inline bool may_be_pulled(const Station& ring, std::int32_t bone, std::int32_t node) {
+    if (ring.shape == RingShape::node) return ring.bone == bone || ring.node == node;
+    return ring.shape == RingShape::circle && ring.bone == bone && !ring.round && ring.crease == 0;
+}
 
 /// Column that carries corner 0, 1, 2 or 3 of a path of `sides` columns.
 inline std::int32_t corner_column(std::int32_t first_corner, int corner, std::int32_t sides) {
