@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
 #include "render/shapes.h"
 
 namespace sinew {
@@ -68,6 +72,38 @@ TEST(MeshBuffers, MarkVerticesOfOtherValencesThanFour) {
     EXPECT_EQ(mesh_buffers(shapes::box({0, 0, 0}, {1, 1, 1})).irregular.size(), 8u);
     EXPECT_EQ(mesh_buffers(shapes::sphere({0, 0, 0}, 1, 12)).irregular.size(), 2u) << "the poles";
     EXPECT_TRUE(mesh_buffers(shapes::grid(3)).irregular.empty()) << "a border is not irregular";
+}
+
+/// A flat polygon of its own, away from all others.
+void add_polygon(QuadMesh& mesh, std::uint32_t sides, float x) {
+    std::vector<std::uint32_t> face;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(sides);
+        face.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+        mesh.positions.emplace_back(x + std::cos(angle), std::sin(angle), 0);
+    }
+    mesh.add_face(face);
+}
+
+/// Faces are written in pieces, by many threads: each must find its place.
+TEST(MeshBuffers, OfManyFacesAreThoseOfEachFaceInTheirOrder) {
+    QuadMesh all;
+    std::vector<MeshVertex> vertices;
+    std::vector<std::uint32_t> triangles;
+    for (std::uint32_t f = 0; f < 20000; ++f) {
+        const std::uint32_t sides = f % 7 == 0 ? 3 : f % 1001 == 5 ? 5 + f % 4 : 4;
+        QuadMesh one;
+        add_polygon(one, sides, static_cast<float>(f));
+        add_polygon(all, sides, static_cast<float>(f));
+        const MeshBuffers buffers = mesh_buffers(one);
+        for (const std::uint32_t i : buffers.triangles)
+            triangles.push_back(static_cast<std::uint32_t>(vertices.size()) + i);
+        vertices.insert(vertices.end(), buffers.vertices.begin(), buffers.vertices.end());
+    }
+    const MeshBuffers buffers = mesh_buffers(all);
+    EXPECT_EQ(buffers.triangles, triangles);
+    ASSERT_EQ(buffers.vertices.size(), vertices.size());
+    EXPECT_EQ(std::memcmp(buffers.vertices.data(), vertices.data(), vertices.size() * sizeof(MeshVertex)), 0);
 }
 
 TEST(MeshBuffers, OfNothingAreEmpty) {

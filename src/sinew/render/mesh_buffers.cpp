@@ -1,5 +1,10 @@
 #include "sinew/render/mesh_buffers.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
 #include "sinew/render/normals.h"
 
 namespace sinew {
@@ -17,49 +22,104 @@ std::uint32_t pack(const Vec3f& n) {
     return bits(n.x()) | bits(n.y()) << 10 | bits(n.z()) << 20;
 }
 
+/// Faces of three and four sides have a vertex a corner, and two triangles less than corners. Those of more
+/// are drawn as triangles round their middle, and those of less not at all.
+struct OddFaces {
+    struct More {
+        std::int64_t vertices = 0, triangles = 0;
+    };
+    std::vector<std::uint32_t> faces;
+    std::vector<More> more{{}};  ///< of those before each, and of all
+};
+OddFaces find_odd_faces(const QuadMesh& mesh) {
+    OddFaces odd;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const std::int64_t size = std::int64_t{mesh.face_offsets[f + 1]} - mesh.face_offsets[f];
+        if (size == 3 || size == 4) continue;
+        const auto& [vertices, triangles] = odd.more.back();
+        odd.faces.push_back(static_cast<std::uint32_t>(f));
+        odd.more.push_back(size > 4 ? OddFaces::More{vertices + 2 * size, triangles + 2}
+                                    : OddFaces::More{vertices - size, triangles - size + 2});
+    }
+    return odd;
+}
+
+/// What all writers share. A face's place in the buffers is known from its number, so that many can write.
+struct Source {
+    const QuadMesh& mesh;
+    Normals normals;
+    std::vector<std::uint32_t> packed;  ///< the vertices' normals; 0 where there is none
+    OddFaces odd;
+};
+
+/// Where a face's vertices and triangles are, behind how many odd faces.
+std::size_t vertices_before(const Source& s, std::size_t face, std::size_t odd) {
+    return static_cast<std::size_t>(s.mesh.face_offsets[face] + s.odd.more[odd].vertices);
+}
+std::size_t triangles_before(const Source& s, std::size_t face, std::size_t odd) {
+    return static_cast<std::size_t>(s.mesh.face_offsets[face] - 2 * static_cast<std::int64_t>(face) +
+                                    s.odd.more[odd].triangles);
+}
+
 /// Writes the corners and triangles of one face after another, in their order.
 class FaceWriter {
   public:
-    FaceWriter(const QuadMesh& mesh, MeshBuffers& buffers)
-        : mesh_(mesh), buffers_(buffers), normals_(normals_of(mesh)) {
-        buffers_.vertices.reserve(mesh.corners.size());
-        buffers_.triangles.reserve(6 * mesh.face_count());
-        packed_.reserve(mesh.vertex_count());
-        for (const Vec3f& normal : normals_.vertices) packed_.push_back(pack(normal));
+    /// @param first  the face that is written first
+    FaceWriter(const Source& source, std::size_t first, MeshBuffers& buffers)
+        : mesh_(source.mesh), source_(source) {
+        const auto& odd = source.odd.faces;
+        const auto odd_before =
+            static_cast<std::size_t>(std::lower_bound(odd.begin(), odd.end(), first) - odd.begin());
+        const std::size_t vertices = vertices_before(source, first, odd_before);
+        first_ = static_cast<std::uint32_t>(vertices);
+        vertex_ = buffers.vertices.data() + vertices;
+        index_ = buffers.triangles.data() + 3 * triangles_before(source, first, odd_before);
+        const auto& splits = source.normals.splits;
+        next_split_ =
+            static_cast<std::size_t>(std::lower_bound(splits.begin(), splits.end(), mesh_.face_offsets[first],
+                                                      [](const SplitNormal& split, std::uint32_t corner) {
+                                                          return split.corner < corner;
+                                                      }) -
+                                     splits.begin());
     }
 
     void write(std::size_t f) {
         const auto face = mesh_.face(f);
-        face_normal_ = pack(normals_.faces[f]);
-        first_ = static_cast<std::uint32_t>(buffers_.vertices.size());
+        face_normal_ = pack(source_.normals.faces[f]);
+        const MeshVertex* const begin = vertex_;
         if (face.size() == 4) write_quad(face, mesh_.face_offsets[f]);
         if (face.size() == 3) write_triangle(face, mesh_.face_offsets[f]);
         if (face.size() > 4) write_fan(face, mesh_.face_offsets[f]);
+        first_ += static_cast<std::uint32_t>(vertex_ - begin);
     }
 
   private:
     using Face = std::span<const std::uint32_t>;
 
     void add(const Vec3f& p, std::uint32_t normal, int u, int v, FacePart part) {
-        buffers_.vertices.push_back({{p.x(), p.y(), p.z()},
-                                     normal,
-                                     face_normal_,
-                                     static_cast<std::uint8_t>(u * 255),
-                                     static_cast<std::uint8_t>(v * 255),
-                                     part});
+        *vertex_++ = {{p.x(), p.y(), p.z()},
+                      normal,
+                      face_normal_,
+                      static_cast<std::uint8_t>(u * 255),
+                      static_cast<std::uint8_t>(v * 255),
+                      part};
     }
     void add_corner(std::uint32_t vertex, std::uint32_t normal, int u, int v, FacePart part) {
         add(mesh_.positions[vertex], normal, u, v, part);
     }
     void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        buffers_.triangles.insert(buffers_.triangles.end(), {first_ + a, first_ + b, first_ + c});
+        *index_++ = first_ + a;
+        *index_++ = first_ + b;
+        *index_++ = first_ + c;
     }
 
     /// The normal of the next corner; corners are asked for in their order.
     std::uint32_t normal_of(std::uint32_t vertex, std::uint32_t corner) {
-        if (next_split_ < normals_.splits.size() && normals_.splits[next_split_].corner == corner)
-            return pack(normals_.splits[next_split_++].normal);
-        return normals_.vertices[vertex].isZero(0) ? face_normal_ : packed_[vertex];
+        const auto& splits = source_.normals.splits;
+        if (next_split_ < splits.size() && splits[next_split_].corner == corner)
+            return pack(splits[next_split_++].normal);
+        const std::uint32_t packed = source_.packed[vertex];
+        return packed == 0 ? face_normal_ : packed;
     }
 
     /// Cut along the shorter diagonal: it follows the surface better.
@@ -97,12 +157,28 @@ class FaceWriter {
     }
 
     const QuadMesh& mesh_;
-    MeshBuffers& buffers_;
-    Normals normals_;
-    std::vector<std::uint32_t> packed_;  ///< the vertices' normals
+    const Source& source_;
+    MeshVertex* vertex_;
+    std::uint32_t* index_;
     std::size_t next_split_ = 0;
     std::uint32_t face_normal_ = 0, first_ = 0;
 };
+
+void write_faces(const QuadMesh& mesh, MeshBuffers& buffers) {
+    Source source{mesh, normals_of(mesh), {}, find_odd_faces(mesh)};
+    source.packed.resize(mesh.vertex_count());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.vertex_count(), 4096), [&](const auto& range) {
+        for (std::size_t v = range.begin(); v < range.end(); ++v)
+            source.packed[v] = pack(source.normals.vertices[v]);
+    });
+    const std::size_t faces = mesh.face_count(), odd = source.odd.faces.size();
+    buffers.vertices.resize(vertices_before(source, faces, odd));
+    buffers.triangles.resize(3 * triangles_before(source, faces, odd));
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces, 4096), [&](const auto& range) {
+        FaceWriter writer(source, range.begin(), buffers);
+        for (std::size_t f = range.begin(); f < range.end(); ++f) writer.write(f);
+    });
+}
 
 /// What is round a vertex. The sums over the neighbours before and after it in its faces cancel where the
 /// faces close round it; numbers scattered by a multiplication make a chance zero at a border as good as
@@ -147,8 +223,7 @@ void mark_irregular(const QuadMesh& mesh, std::vector<PointMark>& marks) {
 
 MeshBuffers mesh_buffers(const QuadMesh& mesh) {
     MeshBuffers buffers;
-    FaceWriter writer(mesh, buffers);
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) writer.write(f);
+    write_faces(mesh, buffers);
     mark_irregular(mesh, buffers.irregular);
     for (const Crease& crease : mesh.features.creases)
         buffers.creases.push_back({.from = mesh.positions[crease.edge[0]],
