@@ -119,6 +119,22 @@ TEST(Limit, KeepsCirclesDiscsAndTips) {
     EXPECT_NEAR(distance_from_axis(limit[6]), ring_limit_radius(6) * (1 + 4 + seen) / 6, 1e-6);
 }
 
+TEST(Limit, OfThoseAskedForIsTheSameAsOfAll) {
+    QuadMesh mesh = shapes::tube(6, 8);
+    const std::vector<Vec3> points = doubles(mesh);
+    mesh.features.creases = {{{0, 1}, 1.5f}, {{1, 2}, 20}};
+    std::vector<Vec3> all(points.size()), some(points.size());
+    limit_positions(build_limit_stencils(mesh).value(), points, all);
+    for (const std::size_t third : {0u, 1u, 2u}) {
+        std::vector<char> wanted(points.size(), 0);
+        for (std::size_t v = third; v < wanted.size(); v += 3) wanted[v] = 1;
+        limit_positions(build_limit_stencils(mesh, wanted).value(), points, some);
+        for (std::size_t v = 0; v < points.size(); ++v)
+            EXPECT_EQ(some[v], wanted[v] ? all[v] : points[v]) << v;
+    }
+    EXPECT_NE(all, points);
+}
+
 TEST(Limit, FittingFindsTheControlPoints) {
     for (const std::size_t n : {4u, 5u, 8u, 16u}) {
         const QuadMesh mesh = shapes::tube(9, n);

@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -42,12 +43,19 @@ void sum_terms(const LimitStencils& stencils, std::span<const Vector> control, s
     });
 }
 
+/// Does the rule of a pole reach any limit that is asked for?
+bool moves_ring(const LimitStencils& stencils, const PoleFan& fan) {
+    const auto begin = stencils.fan_weights.begin() + fan.first;
+    return std::any_of(begin, begin + fan.valence,
+                       [](const std::array<double, 3>& weights) { return weights[1] != 0; });
+}
+
 template <class Vector>
 void add_polar_offsets(const LimitStencils& stencils, std::span<const Vector> control,
                        std::span<Vector> limit) {
     std::vector<Vec3> ring, offsets;
     for (const PoleFan& fan : stencils.rules.fans.fans) {
-        if (fan.fixed) continue;
+        if (fan.fixed || !moves_ring(stencils, fan)) continue;
         const auto vertices = stencils.rules.fans.ring_of(fan);
         const std::size_t n = vertices.size();
         ring.resize(n);

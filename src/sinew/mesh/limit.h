@@ -44,7 +44,9 @@ struct LimitStencils {
 };
 
 /// Linear in the size of the mesh. Fails for what resolve_rules refuses.
-Result<LimitStencils> build_limit_stencils(const QuadMesh& mesh);
+/// @param wanted  empty, or whose limits are asked for: 0 or 1 a vertex. The others have no terms, as if they
+///                were their own limits.
+Result<LimitStencils> build_limit_stencils(const QuadMesh& mesh, std::span<const char> wanted = {});
 
 /// @param control  positions of the control mesh
 /// @param limit    as many; must not overlap `control`

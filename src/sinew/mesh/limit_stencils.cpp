@@ -14,7 +14,8 @@ using Term = LimitStencils::Term;
 
 enum class Kind : char { smooth, sharp, pole, fixed };
 
-std::vector<Kind> kinds_of(const QuadMesh& mesh, const Topology& topology, const SurfaceRules& rules) {
+std::vector<Kind> kinds_of(const QuadMesh& mesh, const Topology& topology, const SurfaceRules& rules,
+                           std::span<const char> wanted) {
     std::vector<Kind> kinds(mesh.vertex_count(), Kind::smooth);
     for (std::size_t i = 0; i < rules.sharpness.vertices.size(); ++i)
         kinds[rules.sharpness.vertices[i]] = rules.sharpness.corner[i] ? Kind::fixed : Kind::sharp;
@@ -24,18 +25,19 @@ std::vector<Kind> kinds_of(const QuadMesh& mesh, const Topology& topology, const
         for (const Index face : cone.faces)
             for (const Index v : mesh.face(face)) kinds[v] = Kind::fixed;
     for (Index v = 0; v < mesh.vertex_count(); ++v)
-        if (topology.ring(v).empty()) kinds[v] = Kind::fixed;
+        if (topology.ring(v).empty() || (!wanted.empty() && !wanted[v])) kinds[v] = Kind::fixed;
     return kinds;
 }
 
 /// Writes the stencils vertex by vertex: a pass that counts their terms, and one that fills them in.
 class StencilBuilder {
   public:
-    StencilBuilder(const QuadMesh& mesh, const Topology& topology, LimitStencils& stencils)
+    StencilBuilder(const QuadMesh& mesh, const Topology& topology, std::span<const char> wanted,
+                   LimitStencils& stencils)
         : mesh_(mesh),
           topology_(topology),
           stencils_(stencils),
-          kinds_(kinds_of(mesh, topology, stencils.rules)),
+          kinds_(kinds_of(mesh, topology, stencils.rules, wanted)),
           in_fan_(mesh.face_count(), 0) {
         for (const Index face : stencils.rules.fans.faces) in_fan_[face] = 1;
     }
@@ -192,7 +194,7 @@ std::vector<Plane> without_faces(const std::vector<Plane>& planes) {
 
 }  // namespace
 
-Result<LimitStencils> build_limit_stencils(const QuadMesh& mesh) {
+Result<LimitStencils> build_limit_stencils(const QuadMesh& mesh, std::span<const char> wanted) {
     if (auto sound = check_control_mesh(mesh); !sound) return fail(sound.error());
     const Topology topology = build_topology(mesh);
     auto rules = resolve_rules(mesh, topology, mesh.features.poles);
@@ -201,7 +203,7 @@ Result<LimitStencils> build_limit_stencils(const QuadMesh& mesh) {
     stencils.rules = std::move(*rules);
     stencils.circles = without_edges(mesh.features.circles);
     stencils.planes = without_faces(mesh.features.planes);
-    StencilBuilder(mesh, topology, stencils).build();
+    StencilBuilder(mesh, topology, wanted, stencils).build();
     return stencils;
 }
 

@@ -33,8 +33,6 @@ class Fitter {
     }
 
     Result<std::vector<Vec3>> run() {
-        const auto stencils = build_limit_stencils(b_.mesh);
-        if (!stencils) return fail(stencils.error());
         joints();
         // A path has its vertices and poles to itself.
         tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n_.path_count(), 64), [&](const auto& range) {
@@ -44,7 +42,12 @@ class Fitter {
         for (const std::int32_t node : n_.lone)
             for (std::size_t i = 0; i < lone_sphere_points().size(); ++i)
                 from(vertex++, d_.skeleton.position[node]);
-        return iterate(*stencils);
+        // Half of the vertices stay: rings of round ends and those that hold a tube beside them.
+        std::vector<char> moves(freedom_.size());
+        for (std::size_t v = 0; v < moves.size(); ++v) moves[v] = !freedom_[v].lack.isZero(0);
+        const auto stencils = build_limit_stencils(b_.mesh, moves);
+        if (!stencils) return fail(stencils.error());
+        return iterate(*stencils, moves);
     }
 
   private:
@@ -263,13 +266,17 @@ class Fitter {
         return length * beyond > 0 ? Vec3(targets_[v] + std::min(1.0, beyond / length) * way) : targets_[v];
     }
 
-    std::vector<Vec3> iterate(const LimitStencils& stencils) const {
+    std::vector<Vec3> iterate(const LimitStencils& stencils, const std::vector<char>& moves) const {
+        std::vector<std::uint32_t> moving;
+        for (std::size_t v = 0; v < moves.size(); ++v)
+            if (moves[v]) moving.push_back(static_cast<std::uint32_t>(v));
         std::vector<Vec3> control = targets_, limit(targets_.size());
         for (int step = 0; step < fit_steps; ++step) {
             limit_positions(stencils, std::span<const Vec3>(control), limit);
             tbb::parallel_for(
-                tbb::blocked_range<std::size_t>(0, control.size(), 4096), [&](const auto& range) {
-                    for (std::size_t v = range.begin(); v < range.end(); ++v) {
+                tbb::blocked_range<std::size_t>(0, moving.size(), 2048), [&](const auto& range) {
+                    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        const std::uint32_t v = moving[i];
                         const Vec3 axis = freedom_[v].axis.template cast<double>();
                         const Vec3 lack = target_at(v, limit[v], axis) - limit[v];
                         const Vec3 along = lack.dot(freedom_[v].lack.template cast<double>()) * axis;

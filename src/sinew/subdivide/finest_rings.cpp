@@ -1,5 +1,8 @@
 #include "sinew/subdivide/finest_rings.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace sinew {
@@ -17,10 +20,13 @@ FinestRings::FinestRings(const Finest& finest, std::span<const Vec3f> positions)
     for (Index f = 0; f < fans.fans.size(); ++f) {
         const PoleFan& fan = fans.fans[f];
         if (fan.fixed) continue;
-        find_offsets(fan);
         for (Index j = 0; j < fan.valence; ++j) places_.push_back({fans.ring[fan.first + j], f, j});
     }
     std::sort(places_.begin(), places_.end());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fans.fans.size(), 16), [&](const auto& range) {
+        for (std::size_t f = range.begin(); f < range.end(); ++f)
+            if (!fans.fans[f].fixed) find_offsets(fans.fans[f]);
+    });
 }
 
 void FinestRings::find_offsets(const PoleFan& fan) {

@@ -1,3 +1,6 @@
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include "sinew/subdivide/finest_rings.h"
 #include "sinew/subdivide/refine.h"
 
@@ -57,7 +60,11 @@ void find_sharp_limits(const Finest& finest, const FinestRings& rings, std::span
 /// Poles, and the smooth vertices round them; sharp ones come afterwards.
 void find_polar_limits(const Finest& finest, const FinestRings& rings, std::span<const Vec3f> control,
                        std::span<Vec3f> limit) {
-    for (const Index vertex : rings.round_poles()) limit[vertex] = limit_of(rings.ring(vertex), false);
+    const std::vector<Index> round = rings.round_poles();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, round.size(), 64), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            limit[round[i]] = limit_of(rings.ring(round[i]), false);
+    });
     const Fans& fans = finest.rules.fans;
     for (const PoleFan& fan : fans.fans) {
         limit[fan.pole] = control[fan.pole];
