@@ -1,6 +1,9 @@
 #include "sinew/sqm/place.h"
 
+#include <array>
+
 #include "sinew/mesh/deviation.h"
+#include "sinew/mesh/intersect.h"
 #include "sinew/mesh/measure.h"
 #include "sinew/mesh/validate.h"
 #include "sqm/stages.h"
@@ -101,6 +104,21 @@ TEST(Place, LoneBallsAndBoxesAreExact) {
     d.nodes[0].size = Vec3(1, 2, 4);
     for (const Vec3f& p : placed(Stages(d)).positions)
         EXPECT_NEAR((p - Vec3f(1, 2, 3)).cwiseQuotient(Vec3f(0.5f, 1, 2)).cwiseAbs().maxCoeff(), 1, 1e-5);
+}
+
+TEST(Place, KeepsRingsOfBendsApart) {
+    Document to_a_ball;  // whose first ring stands far up the bone
+    const std::array<double, 4> radii{0.85, 0.54, 0.16, 0.75};
+    const std::array<Vec3, 4> places{
+        Vec3(0, 0, 0.1), {-0.23, -0.59, 0.26}, {-1.08, -0.8, 0.77}, {-1.46, -1.79, 0.83}};
+    for (int i = 0; i < 4; ++i) add(to_a_ball, i - 1, places[i], radii[i]);
+    // Two bends so near to each other that their rings meet in the middle.
+    const std::array<Vec3, 4> turns{Vec3(-3, 0, 0), {0, 0, 0}, {0, 1, 0}, {-3, 1, 0}};
+    for (const Document& d : {to_a_ball, chain(turns, 0.45)}) {
+        const QuadMesh mesh = placed(Stages(d));
+        EXPECT_TRUE(find_self_intersections(mesh)->empty());
+        EXPECT_GT(measure(mesh).quad_quality.min, 0);
+    }
 }
 
 }  // namespace

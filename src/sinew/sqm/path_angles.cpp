@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sinew/sqm/path_frame.h"
@@ -166,11 +167,21 @@ class AngleFinder {
             const auto [d1, t1] = anchors_[next];
             w_.rings[i].turn = d1 > d0 ? t0 + (t1 - t0) * (distance_[i] - d0) / (d1 - d0) : t1;
         }
-        constexpr float left[] = {0.45f, 0.15f};  // of the joint's spacing, on the rings next to it
+        share_spacing();
+    }
+    /// The rings next to a joint have some of its ring's spacing left; all of it where they fill its cell.
+    void share_spacing() {
+        constexpr std::array<float, 2> roomy{0.45f, 0.15f}, crowded{1.0f, 0.3f};
+        const auto [near, far] = w_.out.crowded.back();
         for (std::size_t i = 0; i < std::min<std::size_t>(2, w_.rings.size()); ++i) {
-            if (w_.near.any()) w_.rings[i].near_share = left[i];
-            if (w_.far.any()) w_.rings[w_.rings.size() - 1 - i].far_share = left[i];
+            if (w_.near.any()) w_.rings[i].near_share = (near ? crowded : roomy)[i];
+            if (w_.far.any()) w_.rings[w_.rings.size() - 1 - i].far_share = (far ? crowded : roomy)[i];
         }
+        for (Station& ring : w_.rings)
+            if (const float sum = ring.near_share + ring.far_share; sum > 1) {
+                ring.near_share /= sum;
+                ring.far_share /= sum;
+            }
     }
 
     void write() {
@@ -251,6 +262,7 @@ class Follower {
         return ring.centre + ring.half.mean() * (cosine * ring.x + sine * y);
     }
     void insert(const JointSide& side, bool is_far) {
+        if (w_.out.crowded.back()[is_far]) return;  // there its own surface is not what is seen
         const int rings = wanted(side, is_far);
         if (rings == 0) return;
         Station ring = w_.rings.empty() ? at_surface(is_far) : is_far ? w_.rings.back() : w_.rings.front();

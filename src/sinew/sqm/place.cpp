@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -85,12 +86,14 @@ class Placer {
         const Plain& s = d_.skeleton;
         return {ring.centre, ring.half.x(), s.position[other], s.radius[other]};
     }
-    /// How far a ring may lean over a bone, on the inner side of a bend: to its middle where a ring comes
-    /// from the other node too. Further, both would cross.
+    /// How far a ring may lean over a bone, on the inner side of a bend: not quite to its middle where a ring
+    /// comes from the other node too, and not to the rings of a round end. Further, both would cross.
     double room_of(std::int32_t p, std::int32_t other, const ConeFrom& bone) const {
         const auto nodes = n_.nodes(p);
-        const bool is_end = !n_.path_closed[p] && (other == nodes.front() || other == nodes.back());
-        return (is_end ? 0.9 : 0.5) * bone.length;
+        if (n_.path_closed[p] || (other != nodes.front() && other != nodes.back())) return 0.49 * bone.length;
+        const int end = other == nodes.front() ? 0 : 1;
+        if (n_.path_end[p][end].at_joint()) return 0.5 * bone.length;
+        return 0.9 * std::clamp(bone.side_end(), 0.1 * bone.length, bone.length);
     }
     static double within(double room, double lean) {
         return lean > 0 ? room / lean : std::numeric_limits<double>::infinity();
@@ -293,26 +296,23 @@ class Placer {
                     const std::uint32_t target = to_pole ? out_.path_pole[p][1 - side]
                                                          : out_.path_vertex[p] + (proper - first) * sides + k;
                     set(out_.path_vertex[p] + (i - first) * sides + k,
-                        between(e, position(joint_ring[k]), position(target), s.stations[i].share),
+                        between(e.joint, position(joint_ring[k]), position(target), s.stations[i].share),
                         s.stations[i].node);
                 }
         }
     }
-    Vec3 between(const PathEnd& e, const Vec3& at_joint, const Vec3& on_ring, double share) const {
-        const Vec3& centre = d_.skeleton.position[n_.joint_node[e.joint]];
-        const std::int32_t slot = n_.slot_first[e.joint] + e.slot;
+    Vec3 between(std::int32_t joint, const Vec3& at_joint, const Vec3& on_ring, double share) const {
+        const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
         const Vec3 a = at_joint - centre, b = on_ring - centre;
         const double la = a.norm(), lb = b.norm();
-        const Form* body = d_.points.body[e.joint];
+        const Form* body = d_.points.body[joint];
         const Vec3 u = to_ball_space(body, a / la), v = to_ball_space(body, b / lb);
         const double sine = u.cross(v).norm(), angle = portable::angle_of(sine, u.dot(v));
         if (!(angle > 1e-6 && angle < 3.1)) return at_joint + share * (on_ring - at_joint);
         const Vec3 ray = from_ball_space(body, (portable::sine_cosine((1 - share) * angle).sine * u +
                                                 portable::sine_cosine(share * angle).sine * v) /
                                                    sine);
-        const double exit = exit_of_joint(n_, d_.points, e.joint, centre, ray),
-                     along = ray.dot(d_.points.cone[slot].axis), limit = d_.points.limit[slot];
-        return centre + (exit * along > limit ? limit / along : exit) * ray;
+        return centre + exit_of_joint(n_, d_.points, joint, centre, ray) * ray;
     }
 
     void poles(std::int32_t p) {

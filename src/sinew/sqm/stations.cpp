@@ -110,8 +110,8 @@ void build(PathWork& w, std::int32_t path, std::int32_t least_rings) {
     take_joint(w, w.far, w.n.path_end[path][1], true);
     place_rings(w, false);
     if (std::ssize(w.rings) < least_rings) place_rings(w, true);
-    find_angles(w);
     find_crowded(w);
+    find_angles(w);
     add_follow_rings(w);
     w.out.stations.insert(w.out.stations.end(), w.rings.begin(), w.rings.end());
     w.out.first.push_back(static_cast<std::int32_t>(w.out.stations.size()));
