@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 
@@ -223,8 +224,8 @@ void mark_irregular(const QuadMesh& mesh, std::vector<PointMark>& marks) {
 
 MeshBuffers mesh_buffers(const QuadMesh& mesh) {
     MeshBuffers buffers;
-    write_faces(mesh, buffers);
-    mark_irregular(mesh, buffers.irregular);
+    tbb::parallel_invoke([&] { write_faces(mesh, buffers); },
+                         [&] { mark_irregular(mesh, buffers.irregular); });
     for (const Crease& crease : mesh.features.creases)
         buffers.creases.push_back({.from = mesh.positions[crease.edge[0]],
                                    .to = mesh.positions[crease.edge[1]],

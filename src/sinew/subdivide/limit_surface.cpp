@@ -1,7 +1,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <type_traits>
+
 #include "sinew/subdivide/finest_rings.h"
+#include "sinew/subdivide/parallel.h"
 #include "sinew/subdivide/refine.h"
 
 namespace sinew {
@@ -9,19 +12,89 @@ namespace {
 
 using Index = std::uint32_t;
 
+Vec3f smooth_limit(const Vec3f& point, float n, const Vec3f& edges, const Vec3f& means) {
+    return (n - 1) / (n + 5) * point + (2 * edges + 4 * means) / (n * (n + 5));
+}
+
+/// The limits of vertices that are given by their rings.
+template <class See>
+auto ring_limits(std::span<const Vec3f> control, std::span<Vec3f> limit, const See& see) {
+    return [control, limit, &see](Index vertex, const auto& ring) {
+        Vec3f edges = Vec3f::Zero(), means = Vec3f::Zero();
+        for (const Index slot : ring) {
+            const SeenFace face = see(slot);
+            edges += control[face.next];
+            means += face.mean;
+        }
+        const auto n = static_cast<float>(ring.size());
+        limit[vertex] = n > 0 ? smooth_limit(control[vertex], n, edges, means) : control[vertex];
+    };
+}
+
+/// The limits of the vertices that the last split made, three quarters of all: they are regular but for the
+/// middles of the control mesh's polygons, and what they need is at hand in the faces of the level before.
+/// The rule is the same, summed up: (n^2 v + 4 sum of edges' ends + sum of far corners) / (n (n + 5)).
+template <class Faces>
+class LastSplit {
+  public:
+    LastSplit(const Level& level, const Faces& faces, std::span<const Vec3f> control, std::span<Vec3f> limit)
+        : level_(level), faces_(faces), control_(control), limit_(limit) {}
+
+    template <class RingLimit>
+    void find(const RingLimit& of_ring) const {
+        for_each_in_parallel(level_.edge_count(), [&](Index edge) {
+            if (level_.edges[edge][1] != no_index) return find_at_edge(edge);
+            const auto ring = ring_of_edge_point(level_, faces_, edge);
+            of_ring(level_.edge_point(edge), std::span<const Index, 2>(ring.data(), 2));
+        });
+        for_each_in_parallel(level_.faces, [&](Index face) { find_in_face(face); });
+    }
+
+  private:
+    const Vec3f& corner(Index slot) const { return control_[level_.corners[slot]]; }
+    /// The new point of a slot's edge; at poles the pole.
+    const Vec3f& point(Index slot) const {
+        const Index edge = level_.slot_edge[slot];
+        return edge == no_index ? corner(slot) : control_[level_.edge_point(edge)];
+    }
+
+    void find_at_edge(Index edge) const {
+        const auto [left, right] = level_.edges[edge];
+        const Index after_left = faces_.next(left), after_right = faces_.next(right);
+        const Vec3f edges =
+            (corner(left) + corner(after_left)) + (control_[level_.face_point(faces_.face(left))] +
+                                                   control_[level_.face_point(faces_.face(right))]);
+        const Vec3f far = (point(faces_.previous(left)) + point(after_left)) +
+                          (point(faces_.previous(right)) + point(after_right));
+        const Index vertex = level_.edge_point(edge);
+        limit_[vertex] = (16 * control_[vertex] + 4 * edges + far) / 36;
+    }
+
+    void find_in_face(Index face) const {
+        Vec3f edges = Vec3f::Zero(), far = Vec3f::Zero();
+        for (Index slot = faces_.begin(face); slot < faces_.end(face); ++slot) {
+            edges += point(slot);
+            far += corner(slot);
+        }
+        const auto n = static_cast<float>(faces_.end(face) - faces_.begin(face));
+        const Index vertex = level_.face_point(face);
+        limit_[vertex] = (n * n * control_[vertex] + 4 * edges + far) / (n * (n + 5));
+    }
+
+    const Level& level_;
+    const Faces& faces_;
+    std::span<const Vec3f> control_;
+    std::span<Vec3f> limit_;
+};
+
 void find_smooth_limits(const Finest& finest, std::span<const Vec3f> control, std::span<Vec3f> limit) {
     with_finest_faces(finest, control, [&](const auto& see) {
-        for_each_ring(finest.levels, finest.splits, [&](Index vertex, const auto& ring) {
-            const auto n = static_cast<float>(ring.size());
-            Vec3f edges = Vec3f::Zero(), means = Vec3f::Zero();
-            for (const Index slot : ring) {
-                const SeenFace face = see(slot);
-                edges += control[face.next];
-                means += face.mean;
-            }
-            limit[vertex] = control[vertex];
-            if (n > 0)
-                limit[vertex] = (n - 1) / (n + 5) * control[vertex] + (2 * edges + 4 * means) / (n * (n + 5));
+        const auto of_ring = ring_limits(control, limit, see);
+        if (finest.splits == 0) return for_each_ring(finest.levels, 0, of_ring);
+        for_each_old_ring(finest.levels, finest.splits, of_ring);
+        const Level& last = finest.levels[finest.splits - 1];
+        with_faces(last, [&](const auto& faces) {
+            LastSplit<std::decay_t<decltype(faces)>>(last, faces, control, limit).find(of_ring);
         });
     });
 }

@@ -17,6 +17,10 @@ namespace sinew {
 template <class Body>
 void for_each_ring(std::span<const Level> levels, std::size_t splits, const Body& body);
 
+/// The same for the vertices that were there before the last split.
+template <class Body>
+void for_each_old_ring(std::span<const Level> levels, std::size_t splits, const Body& body);
+
 /// The slots round one vertex.
 std::vector<std::uint32_t> ring_of(std::span<const Level> levels, std::size_t splits, std::uint32_t vertex);
 
@@ -82,16 +86,31 @@ void face_point_rings(const Level& level, const Quads&, std::size_t shift, const
 
 }  // namespace detail
 
+namespace detail {
+
+/// Of the vertices of the control mesh and those that the first `made` of the splits made.
 template <class Body>
-void for_each_ring(std::span<const Level> levels, std::size_t splits, const Body& body) {
-    detail::control_rings(levels[0], 2 * splits, body);
-    for (std::size_t split = 0; split < splits; ++split) {
+void rings_made_by(std::span<const Level> levels, std::size_t splits, std::size_t made, const Body& body) {
+    control_rings(levels[0], 2 * splits, body);
+    for (std::size_t split = 0; split < made; ++split) {
         const std::size_t shift = 2 * (splits - split - 1);
         with_faces(levels[split], [&](const auto& faces) {
-            detail::edge_point_rings(levels[split], faces, shift, body);
-            detail::face_point_rings(levels[split], faces, shift, body);
+            edge_point_rings(levels[split], faces, shift, body);
+            face_point_rings(levels[split], faces, shift, body);
         });
     }
+}
+
+}  // namespace detail
+
+template <class Body>
+void for_each_ring(std::span<const Level> levels, std::size_t splits, const Body& body) {
+    detail::rings_made_by(levels, splits, splits, body);
+}
+
+template <class Body>
+void for_each_old_ring(std::span<const Level> levels, std::size_t splits, const Body& body) {
+    detail::rings_made_by(levels, splits, splits - 1, body);
 }
 
 inline std::vector<std::uint32_t> ring_of(std::span<const Level> levels, std::size_t splits,
