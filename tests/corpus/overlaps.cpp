@@ -5,7 +5,8 @@
 ///
 /// A pair is excused where two of the (conditioned) skeleton's round cones hold a place where the faces
 /// cross, or a corner of theirs, and overlap there beside their common node: they have none, or the place is
-/// outside its ball. What is left, "elsewhere", is the mesher's own.
+/// outside its ball. Those that only a corner excuses are counted too ("faces_by_corner"). What is left,
+/// "elsewhere", is the mesher's own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -129,19 +130,23 @@ std::string look_at(const std::string& file) {
     const Cones cones(graph);
     const Triangles triangles = triangulate(skin->mesh);
     const auto pairs = find_self_intersections(skin->mesh).value();
-    std::set<std::uint32_t> faces, rounded, elsewhere;
+    std::set<std::uint32_t> faces, by_corner, rounded, elsewhere;
+    const auto overlap = [&](const Vec3& place) { return cones.overlap_beside_a_node(place); };
     std::size_t unexcused = 0;
     std::string places;
     for (const FacePair& pair : pairs) {
         std::vector<Vec3> at;
         add_crossings(skin->mesh, triangles, pair[0], pair[1], at);
         add_crossings(skin->mesh, triangles, pair[1], pair[0], at);
+        faces.insert(pair.begin(), pair.end());
+        if (std::any_of(at.begin(), at.end(), overlap)) continue;
         for (const std::uint32_t face : pair)
             for (const std::uint32_t v : skin->mesh.face(face))
                 at.push_back(skin->mesh.positions[v].cast<double>());
-        faces.insert(pair.begin(), pair.end());
-        if (std::any_of(at.begin(), at.end(), [&](const Vec3& p) { return cones.overlap_beside_a_node(p); }))
+        if (std::any_of(at.begin(), at.end(), overlap)) {
+            by_corner.insert(pair.begin(), pair.end());
             continue;
+        }
         if (is_rounded(skin->mesh, pair[0]) || is_rounded(skin->mesh, pair[1])) {
             rounded.insert(pair.begin(), pair.end());
             continue;
@@ -153,9 +158,9 @@ std::string look_at(const std::string& file) {
                                   pair[1], at[0].x(), at[0].y(), at[0].z());
     }
     return fmt::format(
-        R"({{"file": "{}", "faces": {}, "pairs": {}, "crossing_faces": {}, "rounded_faces": {}, "pairs_elsewhere": {}, "faces_elsewhere": {}, "places": [{}]}})",
-        file, skin->mesh.face_count(), pairs.size(), faces.size(), rounded.size(), unexcused,
-        elsewhere.size(), places);
+        R"({{"file": "{}", "faces": {}, "pairs": {}, "crossing_faces": {}, "faces_by_corner": {}, "rounded_faces": {}, "pairs_elsewhere": {}, "faces_elsewhere": {}, "places": [{}]}})",
+        file, skin->mesh.face_count(), pairs.size(), faces.size(), by_corner.size(), rounded.size(),
+        unexcused, elsewhere.size(), places);
 }
 
 }  // namespace
