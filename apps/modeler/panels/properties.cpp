@@ -85,6 +85,15 @@ void Properties::add_head(QFormLayout& form) {
                                     static_cast<Section>(i)));
     });
     rows_ = {name_, type_, section_};
+    unit_ = new ChoiceBox;
+    unit_->setObjectName("unit");
+    unit_->setEditable(true);
+    unit_->addItems({"", "m", "cm", "mm", "um", "nm"});
+    unit_->setToolTip("What all lengths are in; figures stay as they are");
+    unit_->lineEdit()->setPlaceholderText("unknown");
+    form.addRow(form_label("Unit"), unit_);
+    connect(unit_, &QComboBox::activated, this, [this] { put_unit(); });
+    connect(unit_->lineEdit(), &QLineEdit::editingFinished, this, [this] { put_unit(); });
 }
 
 void Properties::add_fields(QFormLayout& form) {
@@ -109,6 +118,13 @@ NumberBox* Properties::make_box(const Field& field) {
     }
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, &field](double value) { put(field, value); });
     return box;
+}
+
+void Properties::put_unit() {
+    if (busy_) return;
+    Document next = model_.document();
+    next.unit = unit_->currentText().trimmed().toStdString();
+    model_.apply("Unit", std::move(next));
 }
 
 void Properties::put(const Field& field, double value) {
@@ -149,6 +165,8 @@ void Properties::refresh() {
     busy_ = true;
     const std::vector<std::int32_t>& nodes = model_.selection().nodes;
     for (QWidget* row : rows_) form_->setRowVisible(row, !nodes.empty());
+    form_->setRowVisible(unit_, nodes.empty());
+    if (!unit_->hasFocus()) unit_->setEditText(QString::fromStdString(model_.document().unit));
     if (nodes.empty()) {
         title_->setText(
             QString("<span style='color:%1'>Nothing selected</span>").arg(theme::dim_text.name()));

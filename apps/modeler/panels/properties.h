@@ -33,12 +33,14 @@ class Properties : public QScrollArea {
     void refresh_choices();
     void refresh_box(const Box& box);
     void put(const Field& field, double value);
+    void put_unit();
 
     Model& model_;
     QLabel* title_ = nullptr;
     QLineEdit* name_ = nullptr;
     QComboBox* type_ = nullptr;
     QComboBox* section_ = nullptr;
+    QComboBox* unit_ = nullptr;  ///< of the document: shown where nothing is selected
     QFormLayout* form_ = nullptr;
     std::vector<Box> boxes_;
     std::vector<QWidget*> rows_;

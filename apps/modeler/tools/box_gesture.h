@@ -17,6 +17,7 @@ class BoxGesture : public Gesture {
     void finish() override {}
     void cancel() override { model_.select(before_); }
     std::string hint() const override;
+    std::string keys() const override { return "Shift adds to what was selected; Esc leaves it as it was"; }
     Guides guides() const override { return {.rectangle = std::array{from_, to_}}; }
 
   private:

@@ -46,8 +46,10 @@ class Gesture {
     virtual bool lock(const AxisLock&) { return false; }
     /// An exact amount in place of the pointer's; nothing goes back to the pointer.
     virtual bool set_amount(std::optional<double>) { return false; }
-    /// For the status line: what is going on, in figures.
+    /// Over the scene: what is going on, in figures.
     virtual std::string hint() const = 0;
+    /// For the status line: what keys do meanwhile.
+    virtual std::string keys() const = 0;
     virtual Guides guides() const { return {}; }
 };
 

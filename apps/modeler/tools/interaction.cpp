@@ -207,6 +207,11 @@ void Interaction::apply_amount(const Screen& screen) {
         gesture_->update(last_pointer_, screen);
 }
 
+std::string Interaction::keys() const {
+    if (!gesture_) return "";
+    return (modal_ ? "Click or Enter keeps it; " : "") + gesture_->keys();
+}
+
 std::string Interaction::hint() const {
     if (!gesture_) return "";
     return gesture_->hint() + (typed_.empty() ? "" : "  = " + typed_);

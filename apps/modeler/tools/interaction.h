@@ -53,7 +53,8 @@ class Interaction {
     /// Where the gizmo is; nothing where there is none.
     std::optional<Vec3> gizmo_place() const;
     const Glyphing& glyphs();
-    std::string hint() const;
+    std::string hint() const;  ///< of the gesture, in figures
+    std::string keys() const;  ///< what keys and buttons do while it runs
     Guides guides() const { return gesture_ ? gesture_->guides() : Guides{}; }
 
   private:

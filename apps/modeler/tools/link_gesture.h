@@ -17,6 +17,9 @@ class LinkGesture : public Gesture {
     void finish() override;
     void cancel() override {}
     std::string hint() const override;
+    std::string keys() const override {
+        return "Click a node: joined by a bone, or parted where a link joins them; Esc stops";
+    }
     Guides guides() const override;
 
   private:

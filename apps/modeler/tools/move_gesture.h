@@ -29,6 +29,10 @@ class MoveGesture : public Gesture {
     bool lock(const AxisLock& lock) override;
     bool set_amount(std::optional<double> amount) override;
     std::string hint() const override;
+    std::string keys() const override {
+        return "X, Y, Z hold an axis, with Shift the plane across it; Ctrl snaps; figures are exact; Esc "
+               "takes it back";
+    }
     Guides guides() const override;
 
   private:

@@ -18,6 +18,9 @@ class RadiusGesture : public Gesture {
     void cancel() override { model_.cancel(); }
     bool set_amount(std::optional<double> amount) override;
     std::string hint() const override;
+    std::string keys() const override {
+        return "Figures are a factor; Ctrl+Shift goes in steps; Esc takes it back";
+    }
 
   private:
     double distance_to_centre(const Pointer& pointer, const Screen& screen) const;

@@ -10,6 +10,7 @@ namespace {
 
 const double degrees_a_pixel = 0.4;
 const double zoom_a_notch = 0.88;
+const double zoom_pixels = 40;  ///< of a drag, for a notch
 
 }  // namespace
 
@@ -37,6 +38,27 @@ Screen screen_of(const Camera& camera, const Vec2& size) {
 }
 
 Camera home_camera() { return {.distance = 14, .azimuth = 30, .elevation = 18}; }
+
+Drag drag_of(Qt::MouseButton button, Qt::KeyboardModifiers held) {
+    const bool left = button == Qt::LeftButton;
+    if (left && !held.testFlag(Qt::AltModifier)) return Drag::tool;
+    if (!left && button != Qt::MiddleButton && button != Qt::RightButton) return Drag::none;
+    if (held.testFlag(Qt::ShiftModifier)) return Drag::pan;
+    return held.testFlag(Qt::ControlModifier) ? Drag::zoom : Drag::orbit;
+}
+
+Camera dragged(const Camera& camera, Drag drag, const Vec2& pixels, const Vec2& begun_at, const Vec2& size) {
+    switch (drag) {
+        case Drag::orbit:
+            return orbited(camera, pixels);
+        case Drag::pan:
+            return panned(camera, pixels, size);
+        case Drag::zoom:
+            return zoomed(camera, -pixels.y() / zoom_pixels, begun_at, size);
+        default:
+            return camera;
+    }
+}
 
 Camera orbited(const Camera& camera, const Vec2& pixels) {
     return orbit(camera, -pixels.x() * degrees_a_pixel, pixels.y() * degrees_a_pixel);

@@ -2,6 +2,8 @@
 /// How the camera moves under the hand. Pure functions of renderer's Camera; pixels are logical ones.
 #pragma once
 
+#include <Qt>
+
 #include "actions/action.h"
 #include "document/screen.h"
 #include "sinew/render/bounds.h"
@@ -14,6 +16,13 @@ Screen screen_of(const Camera& camera, const Vec2& size);
 
 /// The camera that a new window starts with: a perspective, slightly from above, of a few units.
 Camera home_camera();
+
+/// What a button and the keys held with it drag: the tool's own, or the camera.
+enum class Drag : std::uint8_t { none, tool, orbit, pan, zoom };
+Drag drag_of(Qt::MouseButton button, Qt::KeyboardModifiers held);
+
+/// The camera after a drag of so many pixels that was begun at a pixel; the same for Drag::none and tool.
+Camera dragged(const Camera& camera, Drag drag, const Vec2& pixels, const Vec2& begun_at, const Vec2& size);
 
 /// Turned by a drag of so many pixels.
 Camera orbited(const Camera& camera, const Vec2& pixels);

@@ -10,6 +10,7 @@ namespace sinew::modeler {
 namespace {
 
 const std::size_t most_rings = 3000;  ///< more take too long to paint
+const double longest_name = 180;      ///< pixels
 
 QPointF to_qt(const Vec2& v) { return {v.x(), v.y()}; }
 
@@ -68,7 +69,8 @@ void Overlay::names(const Model& model) const {
         if (document.names[i].empty()) continue;
         const std::optional<Vec2> at = screen.project(document.nodes[i].position);
         if (!at) continue;
-        const QString text = QString::fromStdString(document.names[i]);
+        const QString text =
+            metrics.elidedText(QString::fromStdString(document.names[i]), Qt::ElideRight, longest_name);
         paint_label(
             painter,
             QRectF(at->x() + 10, at->y() - 24, metrics.horizontalAdvance(text) + 12, metrics.height() + 3),

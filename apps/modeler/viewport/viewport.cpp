@@ -7,7 +7,6 @@
 #include <QPainter>
 #include <cmath>
 
-#include "viewport/navigation.h"
 #include "viewport/overlay.h"
 #include "viewport/scene_view.h"
 #include "viewport/view_grid.h"
@@ -16,8 +15,7 @@
 namespace sinew::modeler {
 namespace {
 
-const double click_reach = 4;   ///< pixels that the right button may move and still open the menu
-const double zoom_pixels = 40;  ///< of a drag, for a notch
+const double click_reach = 4;  ///< pixels that the right button may move and still open the menu
 
 Vec2 to_vec(const QPointF& p) { return {p.x(), p.y()}; }
 
@@ -133,15 +131,6 @@ void Viewport::paint_overlay(QPainter& painter) {
     if (model_.document().nodes.empty()) overlay.message("Click to place a root");
 }
 
-Viewport::Drag Viewport::drag_for(const QMouseEvent& event) const {
-    const bool alt = event.modifiers().testFlag(Qt::AltModifier), left = event.button() == Qt::LeftButton;
-    if (left && !alt) return Drag::tool;
-    if (!left && event.button() != Qt::MiddleButton && event.button() != Qt::RightButton) return Drag::none;
-    if (event.modifiers().testFlag(Qt::ShiftModifier)) return Drag::pan;
-    if (event.modifiers().testFlag(Qt::ControlModifier)) return Drag::zoom;
-    return Drag::orbit;
-}
-
 void Viewport::mousePressEvent(QMouseEvent* event) {
     pressed_at_ = last_ = to_vec(event->position());
     right_moved_ = false;
@@ -151,17 +140,10 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
         right_moved_ = true;  // so that no menu opens
         return refresh();
     }
-    drag_ = drag_for(*event);
+    drag_ = drag_of(event->button(), event->modifiers());
     pressed_ball_ = axis_ball_at(camera_, screen().size(), pressed_at_);
     if (drag_ == Drag::tool && !pressed_ball_) tools_.press(pointer_of(*event), screen());
     refresh();
-}
-
-void Viewport::move_camera(const Vec2& pixels, const Vec2& at) {
-    const Vec2 size(width(), height());
-    if (drag_ == Drag::orbit) camera_ = orbited(camera_, pixels);
-    if (drag_ == Drag::pan) camera_ = panned(camera_, pixels, size);
-    if (drag_ == Drag::zoom) camera_ = zoomed(camera_, -pixels.y() / zoom_pixels, at, size);
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
@@ -171,7 +153,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         if (!pressed_ball_) tools_.move(pointer_of(*event), screen());
         hovered_ball_ = tools_.active() ? std::nullopt : axis_ball_at(camera_, screen().size(), now);
     } else {
-        move_camera(now - last_, pressed_at_);
+        camera_ = dragged(camera_, drag_, now - last_, pressed_at_, Vec2(width(), height()));
     }
     last_ = now;
     refresh();

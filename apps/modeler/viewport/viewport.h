@@ -10,6 +10,7 @@
 #include "actions/action.h"
 #include "live/pipeline.h"
 #include "sinew/render/camera.h"
+#include "viewport/navigation.h"
 #include "viewport/reference_pictures.h"
 
 namespace sinew::modeler {
@@ -51,9 +52,6 @@ class Viewport : public QOpenGLWidget {
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
-    enum class Drag : std::uint8_t { none, tool, orbit, pan, zoom };
-    Drag drag_for(const QMouseEvent& event) const;
-    void move_camera(const Vec2& pixels, const Vec2& at);
     bool gesture_key(const QKeyEvent& event);
     void paint_overlay(QPainter& painter);
     void release();  ///< what is on the graphics card

@@ -4,7 +4,6 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QImageReader>
-#include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
@@ -14,7 +13,6 @@
 #include <QUndoView>
 
 #include "document/edits.h"
-#include "document/images.h"
 #include "panels/outliner.h"
 #include "panels/problems.h"
 #include "panels/properties.h"
@@ -24,7 +22,7 @@
 #include "window/command_palette.h"
 #include "window/icons.h"
 #include "window/settings.h"
-#include "window/theme.h"
+#include "window/status_line.h"
 #include "window/view_bar.h"
 #include "window/window_host.h"
 
@@ -55,7 +53,7 @@ MainWindow::MainWindow()
     meshes_ = std::make_unique<MeshKeeper>(model_, view_, [this](const auto& mesh) { show_mesh(mesh); });
     make_panels();
     make_bars();
-    make_status_line();
+    status_ = std::make_unique<StatusLine>(*statusBar(), *action_set_);
     palette_ = new CommandPalette(*action_set_, *this);
     connect_parts();
     load_settings();
@@ -73,6 +71,7 @@ QDockWidget* MainWindow::add_panel(const QString& title, QWidget* widget, Qt::Do
     dock->setObjectName("panel_" + title.toLower());
     dock->setWidget(widget);
     addDockWidget(area, dock);
+    panels_.append(dock);
     return dock;
 }
 
@@ -111,20 +110,7 @@ void MainWindow::make_bars() {
     file->insertMenu(action_set_->find("file.save"), recent_);
     connect(recent_, &QMenu::aboutToShow, this, [this] { refresh_recent(); });
     QMenu* panels = action_set_->menu(Menu::view)->addMenu("Panels");
-    for (QDockWidget* dock : findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
-}
-
-void MainWindow::make_status_line() {
-    hint_ = new QLabel;
-    hint_->setObjectName("hint");
-    selected_ = new QLabel;
-    symmetry_ = new QLabel;
-    symmetry_->setStyleSheet("color: #62c988");
-    mesh_state_ = new QLabel;
-    mesh_state_->setObjectName("mesh_state");
-    statusBar()->setSizeGripEnabled(false);
-    statusBar()->addWidget(hint_, 1);
-    for (QLabel* label : {selected_, symmetry_, mesh_state_}) statusBar()->addPermanentWidget(label);
+    for (QDockWidget* dock : panels_) panels->addAction(dock->toggleViewAction());
 }
 
 void MainWindow::connect_parts() {
@@ -177,23 +163,12 @@ void MainWindow::show_mesh(const std::shared_ptr<const LiveMesh>& mesh) {
 }
 
 void MainWindow::refresh() {
-    if (!meshes_ || !view_bar_) return;
+    if (!meshes_ || !status_) return;
     meshes_->refresh();
     action_set_->refresh();
     view_bar_->refresh();
     viewport_->update();
-    hint_->setText(QString::fromStdString(tools_.active() ? tools_.hint() : describe_tool(tools_)));
-    const std::size_t count = model_.selection().nodes.size();
-    selected_->setText(
-        count == 0 ? QString() : QString("%1 of %2 selected").arg(count).arg(model_.document().nodes.size()));
-    const bool symmetric = model_.document().symmetry.kind != Symmetry::Kind::none;
-    symmetry_->setText(symmetric ? QString::fromStdString(describe(model_.document().symmetry)) : QString());
-    const auto& mesh = meshes_->mesh();
-    const bool broken = view_.live && mesh && mesh->error && mesh->error->kind != ErrorKind::cancelled;
-    mesh_state_->setText(!view_.live              ? "mesh off"
-                         : broken                 ? "<span style='color:#f0756c'>no mesh: see Problems</span>"
-                         : !meshes_->up_to_date() ? "skinning..."
-                                                  : QString("level %1").arg(view_.level));
+    status_->show(model_, tools_, view_, *meshes_);
     refresh_title();
 }
 
@@ -228,12 +203,20 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->accept();
 }
 
+void MainWindow::put_over_properties(QDockWidget& panel) {
+    auto* properties = findChild<QDockWidget*>("panel_properties");
+    addDockWidget(Qt::RightDockWidgetArea, &panel);
+    if (properties->isVisible() && !properties->isFloating()) tabifyDockWidget(properties, &panel);
+    panel.show();
+    panel.raise();
+}
+
 void MainWindow::lock(bool locked) {
     tools_.locked = locked;
     action_set_->lock(locked);
     setAcceptDrops(!locked);
-    for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
-        dock->widget()->setEnabled(!locked);
+    for (QDockWidget* dock : panels_)
+        if (dock->widget() != statistics_) dock->widget()->setEnabled(!locked);
     recent_->setEnabled(!locked);
     refresh();
 }

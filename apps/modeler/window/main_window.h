@@ -13,8 +13,6 @@
 #include "window/file_keeper.h"
 #include "window/mesh_keeper.h"
 
-class QLabel;
-
 namespace sinew::modeler {
 
 class ActionSet;
@@ -22,6 +20,7 @@ class CommandPalette;
 class Outliner;
 class Problems;
 class Statistics;
+class StatusLine;
 class ViewBar;
 class Viewport;
 class WindowHost;
@@ -33,6 +32,9 @@ class MainWindow : public QMainWindow {
 
     /// Opens a file, or starts anew where there is none.
     void start(const QString& path);
+
+    /// Docks a panel where the properties are, which rest behind it.
+    void put_over_properties(QDockWidget& panel);
 
     /// While something else previews in the model only the view can be changed.
     void lock(bool locked);
@@ -53,7 +55,6 @@ class MainWindow : public QMainWindow {
   private:
     void make_panels();
     void make_bars();
-    void make_status_line();
     void connect_parts();
     QDockWidget* add_panel(const QString& title, QWidget* widget, Qt::DockWidgetArea area);
     void open_dropped(const QString& path);
@@ -76,13 +77,14 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<ActionSet> action_set_;
     std::unique_ptr<MeshKeeper> meshes_;
     std::unique_ptr<ViewBar> view_bar_;
+    std::unique_ptr<StatusLine> status_;
     CommandPalette* palette_ = nullptr;
     Outliner* outliner_ = nullptr;
     Statistics* statistics_ = nullptr;
     Problems* problems_ = nullptr;
+    QList<QDockWidget*> panels_;
     QDockWidget* problems_dock_ = nullptr;
     QMenu* recent_ = nullptr;
-    QLabel *hint_ = nullptr, *selected_ = nullptr, *symmetry_ = nullptr, *mesh_state_ = nullptr;
     QTimer copy_timer_;  ///< from a change to the copy that would survive a crash
 };
 

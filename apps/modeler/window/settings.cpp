@@ -32,19 +32,4 @@ void save_view_settings(const ViewSettings& view) {
     settings.setValue("view/names", view.names);
 }
 
-std::string describe_tool(const Interaction& tools) {
-    const Hit::Kind over = tools.hovered().kind;
-    if (tools.hovered_handle()) return "Drag to move along the arrow";
-    if (over == Hit::Kind::nothing) return "Drag for a box; middle button or Alt orbits, wheel zooms";
-    switch (tools.tool) {
-        case Tool::draw:
-            return over == Hit::Kind::node ? "Drag for a child; Ctrl-drag or wheel: radius; Shift-drag: move"
-                                           : "Drag to insert a node; Shift-drag: move the bone";
-        case Tool::move:
-            return "Drag to move; X, Y, Z hold an axis; Ctrl snaps";
-        default:
-            return over == Hit::Kind::node ? "Drag to change the radius" : "Drag to move the bone";
-    }
-}
-
 }  // namespace sinew::modeler

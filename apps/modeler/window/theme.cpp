@@ -53,6 +53,7 @@ QMenu::indicator:checked { image: url(:/icons/tick.svg); }
 QToolBar { background: #2b2e35; border: none; border-bottom: 1px solid #1b1d22; spacing: 3px; padding: 4px 6px; }
 QToolBar::separator { background: #3b404a; width: 1px; margin: 4px 5px; }
 QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px; }
+QToolButton[narrow="true"] { padding: 4px 0px; }
 QToolButton:hover { background: #3a3f49; }
 QToolButton:pressed { background: #1f2228; }
 QToolButton:checked { background: #2f4f78; border-color: #4f8fdc; }
@@ -101,6 +102,8 @@ QScrollArea { border: none; background: transparent; }
 QStatusBar { background: #23262c; color: #98a0ad; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { padding: 1px 8px; }
+QStatusBar QToolButton { color: #98a0ad; padding: 1px 8px; }
+QStatusBar QToolButton::menu-indicator { image: none; }
 QSlider::groove:horizontal { height: 4px; background: #1b1d22; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: #4f8fdc; border-radius: 2px; }
 QSlider::handle:horizontal { background: #cfd5de; width: 12px; margin: -4px 0; border-radius: 6px; }

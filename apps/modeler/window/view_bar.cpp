@@ -29,6 +29,8 @@ ViewBar::ViewBar(QToolBar& bar, ActionSet& actions, ViewSettings& view, std::fun
         if (submenu_of(action) != submenu) bar.addSeparator();
         submenu = submenu_of(action);
         bar.addAction(actions.find(action.id));
+        // Six digits in a row are one control.
+        bar.widgetForAction(actions.find(action.id))->setProperty("narrow", submenu == "Level");
     }
     opacity_->setObjectName("opacity");
     opacity_->setRange(least_opacity, 100);

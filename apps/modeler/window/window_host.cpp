@@ -13,7 +13,7 @@
 #include "window/adjust_panel.h"
 #include "window/dialogs.h"
 #include "window/export_dialog.h"
-#include "window/grow_dialog.h"
+#include "window/grow_panel.h"
 #include "window/main_window.h"
 #include "window/reference_dialog.h"
 #include "window/shortcut_sheet.h"
@@ -79,32 +79,30 @@ void WindowHost::grow() {
 
 void WindowHost::grow_file(const QString& path) {
     if (growing_) return;
-    auto* dialog = new GrowDialog(window_.model(), &window_);
-    if (!dialog->read(path)) {
-        delete dialog;
+    window_.tools().cancel();
+    auto* panel = new GrowPanel(window_.model(), &window_);
+    if (!panel->read(path)) {
+        delete panel;
         return;
     }
-    growing_ = dialog;
-    dialog->first_grown = [this] { frame(true); };
-    dialog->choose = [this, dialog] {
+    growing_ = panel;
+    panel->first_grown = [this] { frame(true); };
+    panel->choose = [this, panel] {
         const QString other = ask_grammar();
-        if (!other.isEmpty()) dialog->read(other);
+        if (!other.isEmpty()) panel->read(other);
     };
-    QObject::connect(dialog, &QDialog::finished, &window_, [this] {
+    panel->finished = [this] {
         growing_.clear();
         window_.lock(false);
+        window_.viewport().setFocus();
         frame(true);
-    });
+    };
     window_.lock(true);
-    // At the right, over the panels that rest meanwhile: the skeleton stays in sight.
-    dialog->show();
-    const QPoint corner = window_.mapToGlobal(QPoint(window_.width(), 0));
-    dialog->move(corner.x() - dialog->frameGeometry().width() - 8,
-                 window_.viewport().mapToGlobal(QPoint()).y() + 8);
+    window_.put_over_properties(*panel);
 }
 
 void WindowHost::stop_growing() {
-    if (growing_) growing_->reject();
+    if (growing_) growing_->finish(false);
 }
 
 void WindowHost::reference_pictures() {

@@ -9,7 +9,7 @@
 namespace sinew::modeler {
 
 class AdjustPanel;
-class GrowDialog;
+class GrowPanel;
 class MainWindow;
 class TypeMenu;
 
@@ -53,7 +53,7 @@ class WindowHost : public Host {
     MainWindow& window_;
     TypeMenu* type_menu_ = nullptr;
     AdjustPanel* adjust_panel_ = nullptr;
-    QPointer<GrowDialog> growing_;
+    QPointer<GrowPanel> growing_;
 };
 
 }  // namespace sinew::modeler

@@ -12,6 +12,8 @@ int main(int argc, char** argv) {
     QStandardPaths::setTestModeEnabled(true);
 
     QApplication application(argc, argv);
+    QApplication::setOrganizationName("Sinew");
+    QApplication::setApplicationName("ModelerTest");
     sinew::modeler::theme::apply(application);
     testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();

@@ -153,5 +153,23 @@ TEST(Properties, scrolling_past_a_number_does_not_change_it) {
     EXPECT_EQ(panel.node(2).radius, 0.25);
 }
 
+TEST(Properties, of_nothing_are_those_of_the_document) {
+    Panel panel;
+    panel.select({1});
+    EXPECT_TRUE(panel.find<QComboBox>("unit").isHidden());
+    panel.select({});
+    auto& unit = panel.find<QComboBox>("unit");
+    EXPECT_FALSE(unit.isHidden());
+    EXPECT_EQ(unit.currentText(), "m");
+    unit.setFocus();
+    unit.lineEdit()->selectAll();
+    QTest::keyClicks(unit.lineEdit(), "inch");
+    QTest::keyClick(unit.lineEdit(), Qt::Key_Return);
+    EXPECT_EQ(panel.model.document().unit, "inch");
+    EXPECT_EQ(panel.model.history().undoText(), "Unit");
+    panel.model.undo();
+    EXPECT_TRUE(same(panel.model.document(), small_tree()));
+}
+
 }  // namespace
 }  // namespace sinew::modeler

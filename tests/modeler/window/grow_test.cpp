@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <QAction>
-#include <QDialog>
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -29,20 +29,16 @@ Vec3 middle_of(const Document& document) {
     return sum / static_cast<double>(document.nodes.size());
 }
 
-QDialog& open(Robot& robot, const QString& path) {
-    robot.when_dialog("grow_file", [&](QDialog& dialog) {
-        dialog.findChild<QLineEdit*>("fileNameEdit")->setText(path);
-        QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open),
-                          Qt::LeftButton);
-    });
+QDockWidget& open(Robot& robot, const QString& path) {
+    robot.when_asked_for_file("grow_file", path);
     robot.key(Qt::Key_G, Qt::ControlModifier);
-    auto* dialog = robot.window().findChild<QDialog*>("grow_dialog");
-    EXPECT_TRUE(dialog);
-    return *dialog;
+    auto* panel = robot.window().findChild<QDockWidget*>("grow_panel");
+    EXPECT_TRUE(panel);
+    return *panel;
 }
 
-void set(QDialog& dialog, const char* name, const QString& value) {
-    auto* box = dialog.findChild<QAbstractSpinBox*>(name);
+void set(QDockWidget& panel, const char* name, const QString& value) {
+    auto* box = panel.findChild<QAbstractSpinBox*>(name);
     ASSERT_TRUE(box) << name;
     box->setFocus();
     box->selectAll();
@@ -50,26 +46,30 @@ void set(QDialog& dialog, const char* name, const QString& value) {
     QTest::keyClick(box, Qt::Key_Return);
 }
 
-void press(QDialog& dialog, QDialogButtonBox::StandardButton button) {
-    QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(button), Qt::LeftButton);
+void press(QDockWidget& panel, QDialogButtonBox::StandardButton button) {
+    QTest::mouseClick(panel.findChild<QDialogButtonBox*>()->button(button), Qt::LeftButton);
 }
 
 TEST(Growing, changes_live_and_is_one_step) {
     Robot robot;
-    QDialog& dialog = open(robot, tree);
+    QDockWidget& panel = open(robot, tree);
     // Two beforees leave each node but the first: a node more than 1 + 2 + 4 + ...
     ASSERT_TRUE(Robot::wait([&] { return robot.document().nodes.size() == 1024; }));
     EXPECT_EQ(robot.window().model().history().count(), 0);
     const Vec3 before = middle_of(robot.document());
-    set(dialog, "grow_a0", "25");
+    set(panel, "grow_a0", "25");
     ASSERT_TRUE(Robot::wait([&] { return middle_of(robot.document()) != before; }));
     ASSERT_TRUE(robot.wait_for_mesh());
     robot.screenshot("30-growing");
-    Robot::screenshot(dialog, "31-grow-dialog");
-    set(dialog, "grow_steps", "7");
+    set(panel, "grow_steps", "7");
     ASSERT_TRUE(Robot::wait([&] { return robot.document().nodes.size() == 128; }));
     const Document last = robot.document();
-    press(dialog, QDialogButtonBox::Ok);
+    // It covers nothing but the properties.
+    EXPECT_TRUE(robot.window().findChild<QWidget*>("statistics")->isVisible());
+    const auto* properties = robot.window().findChild<QWidget*>("properties_title");
+    EXPECT_TRUE(properties->visibleRegion().isEmpty());
+    press(panel, QDialogButtonBox::Ok);
+    EXPECT_TRUE(Robot::wait([&] { return !properties->visibleRegion().isEmpty(); }));
     EXPECT_TRUE(same(robot.document(), last));
     EXPECT_EQ(robot.window().model().history().count(), 1);
     robot.key(Qt::Key_Z, Qt::ControlModifier);
@@ -78,11 +78,11 @@ TEST(Growing, changes_live_and_is_one_step) {
 
 TEST(Growing, cancel_leaves_all_as_it_was) {
     Robot robot;
-    QDialog& dialog = open(robot, tree);
+    QDockWidget& panel = open(robot, tree);
     ASSERT_TRUE(Robot::wait([&] { return robot.document().nodes.size() > 1; }));
     EXPECT_FALSE(robot.window().actions().find("node.extrude")->isEnabled());
     EXPECT_TRUE(robot.window().actions().find("view.wire")->isEnabled());
-    press(dialog, QDialogButtonBox::Cancel);
+    press(panel, QDialogButtonBox::Cancel);
     EXPECT_TRUE(same(robot.document(), starting_document()));
     EXPECT_EQ(robot.window().model().history().count(), 0);
     robot.window().model().select(selection_of(0));
@@ -92,15 +92,15 @@ TEST(Growing, cancel_leaves_all_as_it_was) {
 
 TEST(Growing, too_much_is_refused_with_its_count) {
     Robot robot;
-    QDialog& dialog = open(robot, tree);
+    QDockWidget& panel = open(robot, tree);
     ASSERT_TRUE(Robot::wait([&] { return robot.document().nodes.size() > 1; }));
-    set(dialog, "grow_steps", "30");
-    auto* state = dialog.findChild<QLabel*>("grow_state");
+    set(panel, "grow_steps", "30");
+    auto* state = panel.findChild<QLabel*>("grow_state");
     ASSERT_TRUE(Robot::wait([&] { return state->text().contains("1073741824"); }))
         << state->text().toStdString();
-    EXPECT_FALSE(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
-    Robot::screenshot(dialog, "32-grow-refused");
-    press(dialog, QDialogButtonBox::Cancel);
+    EXPECT_FALSE(panel.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
+    robot.screenshot("32-grow-refused");
+    press(panel, QDialogButtonBox::Cancel);
 }
 
 }  // namespace

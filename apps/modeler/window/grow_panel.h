@@ -1,9 +1,9 @@
-/// @file grow_dialog.h
+/// @file grow_panel.h
 /// Grow from L-system: fields for the constants, steps and seed of a .lsys file; the skeleton changes in the
 /// viewport while one turns them.
 #pragma once
 
-#include <QDialog>
+#include <QDockWidget>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,22 +19,27 @@ class QSpinBox;
 
 namespace sinew::modeler {
 
-/// Previews in the model while it is open; accepted it leaves one undo step, rejected it leaves all as it
-/// was. Nothing else may edit the model meanwhile (see MainWindow::lock).
-class GrowDialog : public QDialog {
+/// Previews in the model while it is open; kept it leaves one undo step, closed it leaves all as it was.
+/// Nothing else may edit the model meanwhile (see MainWindow::lock).
+class GrowPanel : public QDockWidget {
   public:
-    GrowDialog(Model& model, QWidget* parent);
+    GrowPanel(Model& model, QWidget* parent);
 
     /// @return false, after an error was shown, where the file is no L-system
     bool read(const QString& path);
 
     std::function<void()> first_grown;  ///< the first preview of a file is there
     std::function<void()> choose;       ///< the person wants another file
+    std::function<void()> finished;     ///< it is over; the panel goes by itself
+
+    void finish(bool keep);
 
   protected:
-    void done(int result) override;
+    void closeEvent(QCloseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    QWidget* make_page();
     void make_head();
     void make_constants();
     void add_constant(const GrowConstant& constant);

@@ -1,9 +1,10 @@
-#include "window/grow_dialog.h"
+#include "window/grow_panel.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
@@ -48,49 +49,51 @@ double reach_of(double value) { return value == 0 ? 1 : 2 * value; }
 
 }  // namespace
 
-GrowDialog::GrowDialog(Model& model, QWidget* parent) : QDialog(parent, Qt::Tool), model_(model) {
-    setObjectName("grow_dialog");
-    setWindowTitle("Grow from L-system");
-    setAttribute(Qt::WA_DeleteOnClose);
-    auto* column = new QVBoxLayout(this);
-    column->setSpacing(10);
-    head_ = new QFormLayout;
-    head_->setHorizontalSpacing(12);
-    column->addLayout(head_);
-    make_head();
-    auto* page = new QWidget;
-    constants_ = new QFormLayout(page);
-    constants_->setContentsMargins(0, 4, 8, 4);
-    constants_->setHorizontalSpacing(12);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(page);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    column->addWidget(scroll, 1);
-    state_ = new QLabel;
-    state_->setObjectName("grow_state");
-    state_->setWordWrap(true);
-    state_->setMinimumHeight(36);
-    column->addWidget(state_);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    accept_ = buttons->button(QDialogButtonBox::Ok);
-    accept_->setText("Grow");
-    for (QAbstractButton* button : buttons->buttons())  // Enter ends a field, not the dialog
-        static_cast<QPushButton*>(button)->setAutoDefault(false);
-    column->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    resize(380, 640);
+GrowPanel::GrowPanel(Model& model, QWidget* parent)
+    : QDockWidget("Grow from L-system", parent), model_(model) {
+    setObjectName("grow_panel");
+    setWidget(make_page());
     grower_ = std::make_unique<Grower>([this](std::shared_ptr<const Grown> grown) {
         QMetaObject::invokeMethod(
             this, [this, grown = std::move(grown)] { take(*grown); }, Qt::QueuedConnection);
     });
 }
 
-void GrowDialog::make_head() {
+QWidget* GrowPanel::make_page() {
+    auto* page = new QWidget;
+    page->setMinimumWidth(300);
+    auto* column = new QVBoxLayout(page);
+    column->setSpacing(10);
+    head_ = new QFormLayout;
+    head_->setHorizontalSpacing(12);
+    column->addLayout(head_);
+    make_head();
+    auto* list = new QWidget;
+    constants_ = new QFormLayout(list);
+    constants_->setContentsMargins(0, 4, 8, 4);
+    constants_->setHorizontalSpacing(12);
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(list);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    column->addWidget(scroll, 1);
+    state_ = new QLabel;
+    state_->setObjectName("grow_state");
+    state_->setWordWrap(true);
+    column->addWidget(state_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    accept_ = buttons->button(QDialogButtonBox::Ok);
+    accept_->setText("Grow");
+    accept_->setDefault(true);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, [this] { finish(true); });
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] { finish(false); });
+    return page;
+}
+
+void GrowPanel::make_head() {
     file_ = new QPushButton;
     file_->setObjectName("grow_file_button");
-    file_->setAutoDefault(false);
     file_->setToolTip("Chooses another file");
     steps_ = whole_number("grow_steps", 0, 1000);
     seed_ = whole_number("grow_seed", 0, most_seeds);
@@ -101,7 +104,6 @@ void GrowDialog::make_head() {
     limit_->setToolTip("Growth that would pass so many nodes is refused");
     auto* another = new QPushButton("Another");
     another->setObjectName("grow_another");
-    another->setAutoDefault(false);
     another->setToolTip("A seed by chance");
     auto* seeds = new QHBoxLayout;
     seeds->addWidget(seed_, 1);
@@ -113,7 +115,7 @@ void GrowDialog::make_head() {
     head_->addRow(form_label("Steps"), steps_);
     head_->addRow(form_label("Seed"), seeds);
     head_->addRow(form_label("Nodes at most"), limit_);
-    head_->addRow(QString(), beside_);
+    head_->addRow(beside_);
     for (QSpinBox* box : {steps_, seed_, limit_})
         connect(box, &QSpinBox::valueChanged, this, [this] { order(); });
     connect(beside_, &QCheckBox::toggled, this, [this] { order(); });
@@ -124,7 +126,7 @@ void GrowDialog::make_head() {
     });
 }
 
-bool GrowDialog::read(const QString& path) {
+bool GrowPanel::read(const QString& path) {
     auto text = read_file(path.toStdString());
     auto grammar = text ? parse_grammar(*text, path.toStdString()) : fail(text.error());
     if (!grammar) {
@@ -147,12 +149,12 @@ bool GrowDialog::read(const QString& path) {
     return true;
 }
 
-void GrowDialog::make_constants() {
+void GrowPanel::make_constants() {
     while (constants_->rowCount() > 0) constants_->removeRow(0);
     for (const GrowConstant& constant : grammar_->constants) add_constant(constant);
 }
 
-void GrowDialog::add_constant(const GrowConstant& constant) {
+void GrowPanel::add_constant(const GrowConstant& constant) {
     const double reach = reach_of(constant.value);
     auto* slider = new QSlider(Qt::Horizontal);
     slider->setRange(0, notches);
@@ -178,20 +180,20 @@ void GrowDialog::add_constant(const GrowConstant& constant) {
             });
 }
 
-GrowOptions GrowDialog::options() const {
+GrowOptions GrowPanel::options() const {
     GrowOptions options{.steps = steps_->value(), .limit = limit_->value()};
     options.seed = static_cast<std::uint64_t>(seed_->value());
     options.constants.assign(changed_.begin(), changed_.end());
     return options;
 }
 
-void GrowDialog::order() {
+void GrowPanel::order() {
     if (!grammar_ || reading_) return;
     accept_->setEnabled(false);  // until it is seen
     newest_ = grower_->order(grammar_, options());
 }
 
-void GrowDialog::take(const Grown& grown) {
+void GrowPanel::take(const Grown& grown) {
     if (grown.order != newest_) return;
     accept_->setEnabled(grown.document.has_value());
     if (!grown.document) {
@@ -209,11 +211,23 @@ void GrowDialog::take(const Grown& grown) {
     framed_ = true;
 }
 
-void GrowDialog::done(int result) {
+void GrowPanel::finish(bool keep) {
+    if (!grower_) return;
     grammar_.reset();  // fields that are being edited still change while they are hidden
     grower_.reset();
-    result == Accepted ? model_.commit("Grow") : model_.cancel();
-    QDialog::done(result);
+    keep ? model_.commit("Grow") : model_.cancel();
+    hide();
+    deleteLater();
+    if (finished) finished();
+}
+
+void GrowPanel::closeEvent(QCloseEvent* event) {
+    finish(false);
+    QDockWidget::closeEvent(event);
+}
+
+void GrowPanel::keyPressEvent(QKeyEvent* event) {
+    event->key() == Qt::Key_Escape ? finish(false) : QDockWidget::keyPressEvent(event);
 }
 
 }  // namespace sinew::modeler
