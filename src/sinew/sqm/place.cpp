@@ -177,7 +177,7 @@ class Placer {
         }
         poles(p);
         dent(p);
-        pull_in(p);
+        if (options_.ideal) pull_in(p);
         follow(p);
     }
     /// Rings on the first bone from a joint that are too wide for its cell.

@@ -3,8 +3,9 @@
 ///
 /// In: all earlier results. Out: positions, and which node and bone each vertex came from. Joint points lie
 /// there already; rings are circles on straight tubes and the cut through both round cones at nodes where a
-/// path bends. With a symmetry the positions are made symmetric to the last bit. With Fit::limit the control
-/// points are moved until the smooth surface, not the control mesh, passes through the points found here.
+/// path bends. Rings too wide for the cell of the joint that their bone leaves are pulled into it. With a
+/// symmetry the positions are made symmetric to the last bit. With Fit::limit the control points are moved
+/// until the smooth surface, not the control mesh, passes through the points found here.
 #pragma once
 
 #include "sinew/sqm/bridge.h"
