@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cassert>
@@ -187,8 +188,7 @@ class RingSorter {
     std::vector<Index> unsorted_;
 };
 
-void build_rings(const QuadMesh& mesh, Topology& topology) {
-    bucket_by_origin(mesh, topology);
+void sort_rings(const QuadMesh& mesh, Topology& topology) {
     std::vector<char> placed(mesh.corners.size(), 0);
     for_each_block(mesh.vertex_count(), [&](std::size_t, std::size_t begin, std::size_t end) {
         RingSorter sort_ring(mesh, topology, placed);
@@ -211,9 +211,12 @@ bool well_formed(const QuadMesh& mesh) {
 Topology build_topology(const QuadMesh& mesh) {
     assert(well_formed(mesh) && mesh.corners.size() < no_index);
     Topology topology;
-    build_edges(mesh, topology);
-    build_faces(mesh, topology);
-    build_rings(mesh, topology);
+    tbb::parallel_invoke([&] { build_edges(mesh, topology); },
+                         [&] {
+                             build_faces(mesh, topology);
+                             bucket_by_origin(mesh, topology);
+                         });
+    sort_rings(mesh, topology);
     return topology;
 }
 

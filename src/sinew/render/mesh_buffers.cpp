@@ -98,12 +98,16 @@ class FaceWriter {
     using Face = std::span<const std::uint32_t>;
 
     void add(const Vec3f& p, std::uint32_t normal, int u, int v, FacePart part) {
-        *vertex_++ = {{p.x(), p.y(), p.z()},
-                      normal,
-                      face_normal_,
-                      static_cast<std::uint8_t>(u * 255),
-                      static_cast<std::uint8_t>(v * 255),
-                      part};
+        MeshVertex& vertex = *vertex_++;
+        vertex.position[0] = p.x();
+        vertex.position[1] = p.y();
+        vertex.position[2] = p.z();
+        vertex.normal = normal;
+        vertex.face_normal = face_normal_;
+        vertex.u = static_cast<std::uint8_t>(u * 255);
+        vertex.v = static_cast<std::uint8_t>(v * 255);
+        vertex.part = part;
+        vertex.unused = 0;
     }
     void add_corner(std::uint32_t vertex, std::uint32_t normal, int u, int v, FacePart part) {
         add(mesh_.positions[vertex], normal, u, v, part);

@@ -22,12 +22,13 @@ enum class FacePart : std::uint8_t {
 };
 
 struct MeshVertex {
+    MeshVertex() {}  ///< sets nothing: room for many is made before they are written, and not filled twice
     float position[3];
     std::uint32_t normal;       ///< smooth; three signed 10-bit numbers, x lowest
     std::uint32_t face_normal;  ///< of the whole face
     std::uint8_t u, v;
     FacePart part;
-    std::uint8_t unused = 0;
+    std::uint8_t unused;
 };
 static_assert(sizeof(MeshVertex) == 24);
 
