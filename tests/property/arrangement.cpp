@@ -8,6 +8,25 @@
 
 namespace sinew::property {
 
+namespace {
+
+double least_angle(const std::vector<Vec3>& positions, const std::vector<double>& radii,
+                   const std::vector<Bone>& bones) {
+    std::vector<std::vector<Vec3>> directions(positions.size());
+    double least = M_PI;
+    for (const Bone& bone : bones)
+        for (int end = 0; end < 2; ++end) {
+            const Vec3 along = positions[bone[1 - end]] - positions[bone[end]];
+            if (along.norm() <= 1e-9 * radii[bone[end]]) return 0;
+            for (const Vec3& other : directions[bone[end]])
+                least = std::min(least, std::atan2(other.cross(along).norm(), other.dot(along)));
+            directions[bone[end]].push_back(along);
+        }
+    return least;
+}
+
+}  // namespace
+
 bool is_plain(const Document& document) {
     return document.symmetry.kind == Symmetry::Kind::none &&
            std::all_of(document.nodes.begin(), document.nodes.end(), [](const Node& n) {
@@ -18,18 +37,14 @@ bool is_plain(const Document& document) {
 }
 
 double least_angle(const Document& document) {
-    const std::vector<Bone> bones = bones_of(document);
-    std::vector<std::vector<Vec3>> directions(document.nodes.size());
-    double least = M_PI;
-    for (const Bone& bone : bones)
-        for (int end = 0; end < 2; ++end) {
-            const Vec3 along = document.nodes[bone[1 - end]].position - document.nodes[bone[end]].position;
-            if (along.norm() <= 1e-9 * document.nodes[bone[end]].radius) return 0;
-            for (const Vec3& other : directions[bone[end]])
-                least = std::min(least, std::atan2(other.cross(along).norm(), other.dot(along)));
-            directions[bone[end]].push_back(along);
-        }
-    return least;
+    std::vector<Vec3> positions;
+    std::vector<double> radii;
+    for (const Node& node : document.nodes) positions.push_back(node.position), radii.push_back(node.radius);
+    return least_angle(positions, radii, bones_of(document));
+}
+
+double least_angle(const Plain& skeleton) {
+    return least_angle(skeleton.position, skeleton.radius, skeleton.bones);
 }
 
 bool has_room(const Document& document) {

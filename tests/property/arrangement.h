@@ -2,6 +2,7 @@
 /// How a skeleton lies in space, as far as it says what may be asked of its mesh.
 #pragma once
 
+#include "sinew/extend/plain.h"
 #include "sinew/skeleton/document.h"
 
 namespace sinew::property {
@@ -11,6 +12,7 @@ bool is_plain(const Document& document);
 
 /// The least angle between two bones at one node, in radians; 0 where a bone has no length.
 double least_angle(const Document& document);
+double least_angle(const Plain& skeleton);
 
 /// Whether the round cones of the bones at a node come apart somewhere: bones a tenth longer than the balls
 /// at their ends, and not side by side. Tubes that swallow each other have no outside to speak of.

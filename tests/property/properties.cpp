@@ -11,6 +11,7 @@
 
 #include "property/arrangement.h"
 #include "property/same_shape.h"
+#include "sinew/extend/extend.h"
 #include "sinew/mesh/measure.h"
 #include "sinew/mesh/validate.h"
 #include "sinew/skeleton/graph.h"
@@ -223,7 +224,7 @@ std::string mirrors(const Case& tried, const Skin& skin) {
     for (Node& node : image.nodes) node.position.x() = -node.position.x();
     const auto result = sinew::skin(image, tried.options);
     if (!result) return "mirrors: fails when mirrored";
-    const std::string difference = difference_of(reflected(skin.mesh, 0), result->mesh, 2e-6);
+    const std::string difference = difference_of(moved(skin.mesh, mirror_of(0)), result->mesh, 2e-6);
     return difference.empty() ? "" : "mirrors: the mesh of the mirrored skeleton differs, " + difference;
 }
 
@@ -238,7 +239,7 @@ std::string symmetric(const Case& tried, const Skin& skin) {
         const bool to_the_bit = !is_flat(tried.document, axis) && std::exchange(exact, false);
         if (!to_the_bit && tried.options.sides % 2 != 0) continue;
         const std::string difference =
-            difference_of(reflected(skin.mesh, axis), skin.mesh, to_the_bit ? 0 : 1e-6);
+            difference_of(moved(skin.mesh, mirror_of(axis)), skin.mesh, to_the_bit ? 0 : 1e-6);
         if (!difference.empty())
             return fmt::format("symmetric: not its own image across axis {}{}, {}", axis,
                                to_the_bit ? " to the last bit" : "", difference);
@@ -246,26 +247,42 @@ std::string symmetric(const Case& tried, const Skin& skin) {
     return {};
 }
 
-/// Whether the nodes on the mirror are symmetric themselves, and no two of them at one place. Outlines that
-/// turn by just half of what would bring them onto themselves may do so to either side; dents that overlap
-/// are pressed one after the other.
-bool may_be_mirrored(const Document& document) {
-    const int axis = document.symmetry.axis;
-    return least_angle(document) > 0.2 &&
-           std::all_of(document.nodes.begin(), document.nodes.end(), [&](const Node& n) {
-               if (n.type == NodeType::negative || n.section != Section::round || n.scale[0] != n.scale[1])
-                   return false;
-               return std::abs(n.position[axis]) > 1e-9 * n.radius || (n.roll == 0 && !n.rotation);
-           });
+/// Boxes and ellipses do not look alike after a third or a fifth of a turn, nor do the bones that carry what
+/// is bare of a ball, nor a ball of quads alone: none of them may stand on the axis. Where more than six bones
+/// leave it alike, faces with a pole meet others of as many sides, and rounding decides.
+bool may_turn(const Document& document) {
+    const Symmetry& symmetry = document.symmetry;
+    if (symmetry.kind != Symmetry::Kind::radial || symmetry.count == 2) return true;
+    if (symmetry.count > 6) return false;
+    const auto on_axis = [&](const Node& n) {
+        const Vec3 along = n.position[symmetry.axis] * Vec3::Unit(symmetry.axis);
+        return (n.position - along).norm() <= 1e-3 * n.radius;
+    };
+    const std::vector<Bone> bones = bones_of(document);
+    const Adjacency around = adjacency(static_cast<std::int32_t>(document.nodes.size()), bones);
+    return std::none_of(document.nodes.begin(), document.nodes.end(), [&](const Node& n) {
+        const bool alone = around.degree(static_cast<std::int32_t>(&n - document.nodes.data())) == 0;
+        const bool round = n.section == Section::round && n.scale[0] == n.scale[1];
+        const bool has_body =
+            n.type == NodeType::cube || n.type == NodeType::ball || n.type == NodeType::negative;
+        return on_axis(n) && (!round || has_body || alone);
+    });
 }
 
-/// A mirror that was drawn holds to the last bit.
+/// A symmetry that was drawn holds: to the last bit where its turns are exact, or else up to rounding. Not
+/// where bones leave a joint side by side, nor after repair, which may keep one of two twins.
 std::string as_drawn(const Case& tried, const Skin& skin) {
-    const Symmetry& symmetry = tried.document.symmetry;
-    if (symmetry.kind != Symmetry::Kind::mirror || tried.options.repair || !may_be_mirrored(tried.document))
+    if (tried.document.symmetry.kind == Symmetry::Kind::none || tried.options.repair ||
+        !may_turn(tried.document))
         return {};
-    const std::string difference = difference_of(reflected(skin.mesh, symmetry.axis), skin.mesh, 0);
-    return difference.empty() ? "" : "drawn: the mirror that was drawn does not hold, " + difference;
+    const ExpandedSymmetry whole = expand_symmetry(tried.document);
+    Warnings warnings;
+    const Plain plain = extend(whole.document, condition(whole.document), warnings);
+    if (std::min(least_angle(whole.document), least_angle(plain)) < 0.2) return {};
+    const bool exact = whole.order == 2 || whole.order == 4;
+    const std::string difference =
+        difference_of(moved(skin.mesh, whole.generator), skin.mesh, exact ? 0 : 1e-6);
+    return difference.empty() ? "" : "drawn: the symmetry that was drawn does not hold, " + difference;
 }
 
 }  // namespace

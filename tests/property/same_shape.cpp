@@ -63,9 +63,16 @@ float size_of(const QuadMesh& mesh) {
 
 }  // namespace
 
-QuadMesh reflected(const QuadMesh& mesh, int axis) {
+Mat3 mirror_of(int axis) {
+    Mat3 mirror = Mat3::Identity();
+    mirror(axis, axis) = -1;
+    return mirror;
+}
+
+QuadMesh moved(const QuadMesh& mesh, const Mat3& by) {
     QuadMesh image = mesh;
-    for (Vec3f& p : image.positions) p[axis] = -p[axis];
+    for (Vec3f& p : image.positions) p = (by * p.cast<double>()).cast<float>();
+    if (by.determinant() > 0) return image;
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         std::reverse(image.corners.begin() + mesh.face_offsets[f],
                      image.corners.begin() + mesh.face_offsets[f + 1]);

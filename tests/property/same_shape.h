@@ -8,8 +8,10 @@
 
 namespace sinew::property {
 
-/// The mirror image in the plane across an axis, faces turned round so that they look outwards again.
-QuadMesh reflected(const QuadMesh& mesh, int axis);
+Mat3 mirror_of(int axis);
+
+/// The image under a rotation or a reflection; faces are turned round so that they look outwards again.
+QuadMesh moved(const QuadMesh& mesh, const Mat3& by);
 
 /// Empty if the meshes have the same faces between the same places, else what differs. Vertices no further
 /// apart than `tolerance`, as a share of the model's size, are the same place.

@@ -42,10 +42,16 @@ TEST(SymmetricFrame, TakesTheNearest) {
     const auto turned = [](double degrees) {
         return Mat3(Quat(Eigen::AngleAxisd(degrees * M_PI / 180, Vec3::UnitX())).toRotationMatrix());
     };
-    const Vec3 cube = Vec3::Ones(), box(1, 2, 3);
+    const Vec3 cube = Vec3::Ones();
     EXPECT_TRUE(symmetric_frame(turned(10), cube, mirror, false).isApprox(turned(0), 1e-12));
-    EXPECT_TRUE(symmetric_frame(turned(40), cube, mirror, false).isApprox(turned(45), 1e-12));
-    EXPECT_TRUE(symmetric_frame(turned(40), box, mirror, false).isApprox(turned(0), 1e-12));
+    EXPECT_TRUE(symmetric_frame(turned(40), cube, mirror, false).isApprox(turned(0), 1e-12));
+    EXPECT_TRUE(symmetric_frame(turned(45), cube, mirror, false).isApprox(turned(45), 1e-12));  // as drawn
+    const Symmetry sideways{Symmetry::Kind::mirror, 0, 2};
+    const auto rolled = [](double degrees) {
+        return Mat3(Quat(Eigen::AngleAxisd(degrees * M_PI / 180, Vec3::UnitZ())).toRotationMatrix());
+    };
+    EXPECT_TRUE(symmetric_frame(rolled(40), cube, sideways, true).isApprox(rolled(45), 1e-12));
+    EXPECT_TRUE(symmetric_frame(rolled(40), {1, 2, 3}, sideways, true).isApprox(rolled(0), 1e-12));
 }
 
 TEST(SymmetricFrame, OnlyRollsWhatBonesHold) {
@@ -55,6 +61,11 @@ TEST(SymmetricFrame, OnlyRollsWhatBonesHold) {
     const Mat3 frame = symmetric_frame(upright, {1, 2, 0}, mirror, true);
     EXPECT_TRUE(frame.col(2).isApprox(upright.col(2), 1e-12));
     EXPECT_TRUE(is_its_own_image(frame, {1, 2, 0}, mirror));
+}
+
+TEST(SymmetricFrame, DoesNotLeaveTheWayOfASectionOnTheMirrorsNormal) {
+    const Mat3 frame = symmetric_frame(Mat3::Identity(), {1, 2, 0}, {Symmetry::Kind::mirror, 2, 2}, false);
+    EXPECT_NEAR(frame.col(2).z(), 0, 1e-12);
 }
 
 TEST(SymmetricFrame, LeavesWhatCannotBeSymmetric) {

@@ -294,8 +294,10 @@ void add_pit(PlainBuilder& b, std::int32_t node) {
         depth = 0.85 * room;
     }
     Form opening = section_form(b, node);
-    if (narrow(opening.half.x(), exit_of_node(b, parent, opening.x)) |
-        narrow(opening.half.y(), exit_of_node(b, parent, opening.y)))
+    const auto wide = [&](const Vec3& axis) {
+        return std::min(exit_of_node(b, parent, axis), exit_of_node(b, parent, -axis));
+    };
+    if (narrow(opening.half.x(), wide(opening.x)) | narrow(opening.half.y(), wide(opening.y)))
         b.warn(node, "this negative leaf is wider than its parent; its dent leaves a wall round it");
     opening.sides = pit_sides;
     b.set_form(node, opening);

@@ -36,11 +36,15 @@ Mat3 symmetric_frame(const Mat3& frame, const Vec3& extents, const Symmetry& sym
     const Vec3 axis = Vec3::Unit(symmetry.axis);
     if (upright && std::abs(frame.col(2).dot(axis)) > 1 - 1e-9) return frame;
     Vec3 nearest = Vec3::Zero();
+    double best = -1;  // the cosine
     for (const Vec3& line : lines_of_symmetry(extents, symmetry)) {
         const Vec3 there = frame * line;
-        if (std::abs(there.dot(axis)) > exact) return frame;
-        const bool reachable = !upright || (line.z() == 0 && std::abs(frame.col(2).dot(axis)) < 1e-6);
-        if (reachable && std::abs(there.dot(axis)) > std::abs(nearest.dot(axis)) + 1e-12) nearest = there;
+        const double cosine = std::abs(there.dot(axis));
+        if (cosine > exact) return frame;
+        const bool across_edges = line.cwiseAbs().maxCoeff() < 1 && symmetry.count != 3;
+        const bool reachable =
+            upright ? line.z() == 0 && std::abs(frame.col(2).dot(axis)) < 1e-6 : !across_edges;
+        if (reachable && cosine > best + 1e-12) best = cosine, nearest = there;
     }
     if (nearest.isZero()) return frame;
     if (upright) nearest = (nearest - nearest.dot(frame.col(2)) * frame.col(2)).normalized();

@@ -15,6 +15,9 @@ void find_dents(const Plain& skeleton, const Network& network, JointPoints& poin
 bool dents_overlap(const Plain& skeleton, const Network& network, std::int32_t joint, std::int32_t slot,
                    std::int32_t other);
 
+/// Whether any dents of a joint do.
+bool has_groove(const JointPoints& points, std::int32_t joint);
+
 /// Where a ray from a joint's centre meets the floor once everything from `distance` on inwards that lies in
 /// dents is taken away: the distance. Never quite the centre itself.
 double press_dents(const JointPoints& points, std::int32_t joint, const Vec3& centre, const Vec3& ray,

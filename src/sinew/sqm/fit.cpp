@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sinew/mesh/limit.h"
+#include "sinew/sqm/dents.h"
 #include "sinew/sqm/round_end.h"
 
 namespace sinew::sqm {
@@ -55,10 +56,16 @@ class Fitter {
         freedom_[vertex].axis = freedom_[vertex].lack =
             (targets_[vertex] - centre).normalized().cast<float>();
     }
-    /// Points of a joint move along its rays. On an ellipsoid by what is lacking along its normals: a limit
-    /// beside the ray may well be on the surface.
+    bool in_dent(std::int32_t joint, const Vec3& from_centre) const {
+        const double distance = from_centre.norm();
+        return distance < (1 - 1e-6) * exit_without_dents(n_, d_.points, joint, from_centre / distance);
+    }
+    /// Points of a joint move along its rays, but for those in grooves, whose walls are too steep for that.
+    /// On an ellipsoid by what is lacking along its normals: a limit beside the ray may well be on the
+    /// surface.
     void from_joint(std::uint32_t vertex, std::int32_t joint) {
         const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
+        if (has_groove(d_.points, joint) && in_dent(joint, targets_[vertex] - centre)) return;
         from(vertex, centre);
         const Form* body = d_.points.body[joint];
         if (!body || body->kind != Form::Kind::ball) return;
@@ -99,6 +106,9 @@ class Fitter {
                     from_joint(first + k, end.joint);
                     continue;
                 }
+                if (ring.shape == RingShape::pit &&
+                    has_groove(d_.points, n_.path_end[p][ring.far ? 1 : 0].joint))
+                    continue;
                 if (ring.fit != RingFit::through) {
                     if (ring.fit == RingFit::held) target = ring.centre + held * (target - ring.centre);
                     continue;  // as it stands, or with its round end

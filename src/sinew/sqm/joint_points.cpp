@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sinew/base/portable_math.h"
 #include "sinew/sqm/cell_room.h"
 #include "sinew/sqm/joint_surface.h"
 
@@ -49,7 +50,7 @@ class Caster {
             *at++ = along(from_ball_space(body, p_.vertices[v]));
         for (std::int32_t a = p_.arc_first[joint]; a < p_.arc_first[joint + 1]; ++a) {
             divide_arc(p_, p_.arcs[a], r_.pieces[a], at);
-            if (!points_.pits.empty() && r_.pieces[a] >= 4) gather_in_groove(p_.arcs[a], r_.pieces[a], at);
+            if (!points_.pits.empty() && r_.pieces[a] > 4) gather_in_groove(p_.arcs[a], r_.pieces[a], at);
             for (std::int32_t i = 1; i < r_.pieces[a]; ++i, ++at) *at = along(from_ball_space(body, *at));
         }
     }
@@ -78,26 +79,42 @@ class Caster {
         const std::int32_t slot = cell - p_.cell_first[joint_];
         return slot < n_.degree(joint_) && points_.kind[n_.slot_first[joint_] + slot] == SlotKind::pit;
     }
-    /// Between two dents that overlap, an arc crosses the groove that they make: its points go from rim to
-    /// rim of that.
+    /// Between two dents that overlap, an arc crosses the groove that they make: its points go from beside
+    /// one rim of that, down the wall, over the floor and up to beside the other.
     void gather_in_groove(const CellArc& arc, std::int32_t pieces, Vec3* inner) const {
         if (!is_pit(arc.left) || !is_pit(arc.right)) return;
         constexpr std::int32_t samples = 65;
-        std::array<Vec3, samples> ray;
-        divide_arc(p_, arc, samples + 1, ray.data());
-        std::int32_t first = -1, last = -1;
-        for (std::int32_t i = 0; i < samples; ++i) {
-            const Vec3 cast = from_ball_space(points_.body[joint_], ray[i]);
-            const double surface = exit_without_dents(n_, points_, joint_, cast);
-            if (exit_of_joint(n_, points_, joint_, centre_, cast) > (1 - 1e-6) * surface) continue;
-            if (first < 0) first = i;
-            last = i;
-        }
-        if (first < 1 || last > samples - 2) return;
-        for (std::int32_t i = 1; i < pieces; ++i) {
-            const double at = first - 1 + double(last - first + 2) * (i - 1) / (pieces - 2);
-            const auto low = std::min(static_cast<std::int32_t>(at), samples - 2);
-            inner[i - 1] = (ray[low] + (at - low) * (ray[low + 1] - ray[low])).normalized();
+        constexpr double beside = 0.4;  // of half the groove's width
+        std::array<Vec3, samples + 2> ray;
+        ray.front() = p_.vertices[arc.from], ray.back() = p_.vertices[arc.to];
+        divide_arc(p_, arc, samples + 1, &ray[1]);
+        const auto ray_at = [&](double at) -> Vec3 {
+            const auto low = std::clamp(static_cast<std::int32_t>(at), 0, samples);
+            return (ray[low] + (at - low) * (ray[low + 1] - ray[low])).normalized();
+        };
+        const auto in_groove = [&](double at) {
+            const Vec3 cast = from_ball_space(points_.body[joint_], ray_at(at));
+            return exit_of_joint(n_, points_, joint_, centre_, cast) <
+                   (1 - 1e-6) * exit_without_dents(n_, points_, joint_, cast);
+        };
+        std::int32_t first = 1, last = samples;
+        while (first <= samples && !in_groove(first)) ++first;
+        while (last > first && !in_groove(last)) --last;
+        if (first < 2 || last >= samples) return;
+        const auto rim = [&](double inside, double outside) {
+            for (int i = 0; i < 20; ++i) {
+                const double middle = 0.5 * (inside + outside);
+                (in_groove(middle) ? inside : outside) = middle;
+            }
+            return inside;
+        };
+        const double from = rim(first, first - 1), to = rim(last, last + 1), half = 0.5 * (to - from);
+        inner[0] = ray_at(from - std::min(beside * half, 0.5 * from));
+        inner[pieces - 2] = ray_at(to + std::min(beside * half, 0.5 * (samples + 1 - to)));
+        for (std::int32_t i = 1; i < pieces - 2;
+             ++i) {  // evenly from rim to rim, round the wall and the floor
+            const double cosine = portable::sine_cosine(M_PI * (i - 1) / (pieces - 4)).cosine;
+            inner[i] = ray_at(0.5 * (from + to) - half * cosine);
         }
     }
 

@@ -52,9 +52,10 @@ struct JointPoints {
     std::vector<BeamFrom> beams;
     /// Joint by joint: its dents, and more along the grooves that they make where they overlap.
     std::vector<PitShape> pits;
-    std::vector<std::int32_t> pit_first;   ///< joint -> its first; joints + 1 entries, none without pits
-    std::vector<const Form*> body;         ///< joint -> its ball or box; null: round cones
-    std::vector<std::uint8_t> only_cones;  ///< joint -> it has no body, and all its slots add cones
+    std::vector<std::int32_t> pit_first;     ///< joint -> its first; joints + 1 entries, none without pits
+    std::vector<std::int32_t> groove_first;  ///< joint -> the first of those more; none without pits
+    std::vector<const Form*> body;           ///< joint -> its ball or box; null: round cones
+    std::vector<std::uint8_t> only_cones;    ///< joint -> it has no body, and all its slots add cones
 };
 
 JointPoints make_joint_points(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,

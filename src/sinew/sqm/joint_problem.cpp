@@ -7,8 +7,9 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr std::int32_t across_groove = 6;  // pieces of an arc between two dents: rim, wall, floor, wall, rim
-constexpr double longest_on_ball = 0.6;    // radians of an arc in one piece on a ball
+constexpr std::int32_t across_groove =
+    8;  // pieces of an arc between two dents: over rim, wall, floor, wall, rim
+constexpr double longest_on_ball = 0.6;  // radians of an arc in one piece on a ball
 
 /// Arcs with both ends in common must not be one edge each.
 bool needs_middle(const Polyhedra& p, std::int32_t joint, std::int32_t arc) {
@@ -116,7 +117,8 @@ void JointProblem::describe(std::int32_t arc, std::int32_t o) {
     out.a = left;
     out.b = left != right ? right : (arc_share_[o] > 1 ? -1 : left);
     out.length = arc_length(p_, a) / arc_factor_[o];
-    out.least = arc_factor_[o] == 1 ? least_pieces(skeleton_, network_, p_, joint_, arc) : 1;
+    const std::int32_t least = least_pieces(skeleton_, network_, p_, joint_, arc), factor = arc_factor_[o];
+    out.least = (least + factor - 1) / factor;
 }
 
 }  // namespace sinew::sqm

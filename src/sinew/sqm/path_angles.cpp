@@ -89,9 +89,20 @@ class AngleFinder {
             }
         if (w_.rings.empty()) return;
         const Station& middle = w_.rings[w_.rings.size() / 2];
-        phase_ = angle_round(frame_about(middle.tangent).col(0), middle.x, middle.tangent.cross(middle.x));
+        phase_ = angle_round(upright(middle), middle.x, middle.tangent.cross(middle.x));
     }
 
+    /// What a tube without joints is turned by: the world's axes or, where a symmetry turns those, the way
+    /// from its axis.
+    Vec3 upright(const Station& ring) const {
+        const Mat3& turn = w_.s.symmetry.generator;
+        const Vec3 axis(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+        const Vec3 world = frame_about(ring.tangent).col(0);
+        if (w_.s.symmetry.order < 3 || axis.isZero()) return world;
+        Vec3 out = ring.centre - ring.centre.dot(axis) / axis.squaredNorm() * axis;
+        out -= out.dot(ring.tangent) * ring.tangent;
+        return out.norm() > 1e-6 * ring.half.x() ? out : world;
+    }
     double column_angle(std::int32_t column) const { return phase_ + step_ * column; }
     /// Of two turns that are as near, the images of a path under a rotation take the same one.
     double nearest_turn(double wanted, double near, double period) const {

@@ -24,10 +24,12 @@ class NeedFinder {
         out_.corners.assign(n_.path_count(), 0);
         if (!skeleton_.forms.empty())
             for (std::int32_t p = 0; p < n_.path_count(); ++p) ask_forms(p);
-        if (images_.any())
+        if (images_.any()) {
             ask_symmetric_joints();
-        else
+            ask_tubes_on_axis();
+        } else {
             ask_joints();
+        }
         for (std::int32_t p = 0; p < n_.path_count(); ++p)
             out_.least[p] = round_up(out_.least[p], out_.step[p]);
         return std::move(out_);
@@ -64,10 +66,27 @@ class NeedFinder {
                 const std::int32_t c = joint.first_cell() + slot, step = joint.step(c);
                 out_.least[path] = std::max(out_.least[path], joint.least(c));
                 out_.step[path] = std::lcm(out_.step[path], step);
-                if (step > 1 && !is_box(skeleton_.form(n_.joint_node[j])) && has_sides_across_mirror(path))
+                if (step > 1 && (!is_box_joint(j) ? has_sides_across_mirror(path) : leads_elsewhere(path, j)))
                     out_.step[path] = std::lcm(out_.step[path], 8);
             });
         }
+    }
+
+    /// Tubes along an axis that everything is turned about.
+    void ask_tubes_on_axis() {
+        for (std::int32_t p = 0; p < n_.path_count(); ++p) {
+            const auto& end = n_.path_end[p];
+            const bool alone = !n_.path_closed[p] && !end[0].at_joint() && !end[1].at_joint();
+            if (alone && images_.path[p] == p && !images_.path_reversed[p] && !images_.reverses)
+                out_.step[p] = std::lcm(out_.step[p], images_.order);
+        }
+    }
+    bool is_box_joint(std::int32_t joint) const { return is_box(skeleton_.form(n_.joint_node[joint])); }
+    /// From a box whose edges cross the mirror to a joint that is none: there vertices are in the mirror.
+    bool leads_elsewhere(std::int32_t path, std::int32_t box) const {
+        const auto& end = n_.path_end[path];
+        const std::int32_t other = end[0].joint == box ? end[1].joint : end[0].joint;
+        return images_.reverses && other >= 0 && !is_box_joint(other);
     }
 
     /// Where a path lies in the mirror, the rings of its joints have a vertex in it on either side, so an

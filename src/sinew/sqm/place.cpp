@@ -9,7 +9,7 @@
 
 #include "sinew/base/portable_math.h"
 #include "sinew/sqm/cell_room.h"
-#include "sinew/sqm/dents.h"
+#include "sinew/sqm/dent_rings.h"
 #include "sinew/sqm/features.h"
 #include "sinew/sqm/fit.h"
 #include "sinew/sqm/symmetrise.h"
@@ -129,36 +129,6 @@ class Placer {
         return ring.centre + widened(ring, (1 - share) * corner(c) + share * corner((c + 1) % 4));
     }
 
-    /// A vertex on the wall of a dent, which is half an ellipsoid: from over it, on the joint's surface,
-    /// towards the joint's centre, or straight down where the dent goes past that.
-    Vec3 on_pit(const Station& ring, std::int32_t p, const Vec3& rim, double share) const {
-        const PathEnd& end = d_.network.path_end[p][ring.far ? 1 : 0];
-        const std::int32_t slot = n_.slot_first[end.joint] + end.slot;
-        const PitShape& pit = d_.points.pits[d_.points.extra[slot]];
-        const Vec3& centre = d_.skeleton.position[n_.joint_node[end.joint]];
-        Vec3 over = pit.middle + share * rim;
-        for (int i = 0; i < 6; ++i) {  // the surface is nearly flat there: this settles fast
-            const Vec3 ray = (over - centre).normalized();
-            const Vec3 hit = centre + exit_without_dents(n_, d_.points, end.joint, ray) * ray;
-            over += (hit - over).dot(pit.z) * pit.z;
-        }
-        if (pit.half.z() <
-            0.8 * (pit.middle - centre).norm()) {  // as the joint's own points: along their rays
-            const double distance = (over - centre).norm();
-            const Vec3 ray = (over - centre) / distance;
-            return centre + press_dents(d_.points, end.joint, centre, ray, distance) * ray;
-        }
-        return pressed(end.joint, over - pit.half.z() * std::sqrt(std::max(0.0, 1 - share * share)) * pit.z);
-    }
-    /// A point on the floor of one dent, once what is left there by others is taken away too.
-    Vec3 pressed(std::int32_t joint, const Vec3& point) const {
-        const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
-        const double distance = (point - centre).norm();
-        if (distance <= 0) return point;
-        const Vec3 ray = (point - centre) / distance;
-        return centre + press_dents(d_.points, joint, centre, ray, distance) * ray;
-    }
-
     void path(std::int32_t p) {
         const Stations& s = d_.stations;
         const std::int32_t sides = d_.refinement.path_sides[p], first = s.first[p], end = s.first[p + 1];
@@ -176,7 +146,7 @@ class Placer {
                 });
         }
         poles(p);
-        dent(p);
+        place_dent_rings(d_, p, out_);
         if (options_.ideal) pull_in(p);
         follow(p);
     }
@@ -205,63 +175,6 @@ class Placer {
     CellRoom room_of_end(std::int32_t p, int end) const {
         const PathEnd& e = n_.path_end[p][end];
         return {d_.skeleton, n_, d_.polyhedra, d_.points, e.joint, e.slot};
-    }
-    /// The rings of a dent. Where another dent overlaps it they stay within the cell that is theirs, so that
-    /// the floor goes on from one to the other without a fold.
-    void dent(std::int32_t p) {
-        const Stations& s = d_.stations;
-        const std::int32_t sides = d_.refinement.path_sides[p], first = s.first[p];
-        std::vector<std::uint32_t> joint_ring;
-        std::vector<Vec2> cell;
-        for (std::int32_t i = first; i < s.first[p + 1]; ++i) {
-            const Station& ring = s.stations[i];
-            if (ring.shape != RingShape::pit) continue;
-            const int end = ring.far ? 1 : 0;
-            const PathEnd& e = n_.path_end[p][end];
-            if (joint_ring.empty()) joint_ring_of_path(d_, p, end, joint_ring);
-            const PitShape& pit = d_.points.pits[d_.points.extra[n_.slot_first[e.joint] + e.slot]];
-            const Vec3& centre = d_.skeleton.position[n_.joint_node[e.joint]];
-            const Vec3 y = ring.tangent.cross(ring.x);
-            cell.clear();  // on a map round the dent's axis
-            for (const std::uint32_t v : joint_ring)
-                cell.push_back(on_map(d_.points.position[v] - centre, ring.x, y, pit.z));
-            const std::vector<double>& uneven = ring.far ? s.far_uneven : s.near_uneven;
-            const auto rim_at = [&](std::int32_t k, double follow) {
-                const std::size_t i_angle = s.angle_first[p] + k;
-                const auto [sine, cosine] =
-                    portable::sine_cosine(s.angle[i_angle] + ring.turn + follow * uneven[i_angle]);
-                return ellipse(ring, cosine * ring.x + sine * y);
-            };
-            const auto room_of = [&](const Vec3& rim) {
-                return 0.75 * room_along(cell, on_map(pit.middle + rim - centre, ring.x, y, pit.z));
-            };
-            bool crowded = false;
-            for (std::int32_t k = 0; k < sides; ++k) crowded = crowded || room_of(rim_at(k, 0)) < 1;
-            for (std::int32_t k = 0; k < sides; ++k) {
-                const Vec3 rim = rim_at(k, crowded ? 0.9 * ring.share : 0);
-                const double share = ring.share * std::min(1.0, room_of(rim));
-                set(vertex_at(p, i, k), on_pit(ring, p, rim, share), ring.node);
-            }
-        }
-    }
-    /// Directions round z as points of a plane, as far from its middle as they are from z, in radians.
-    static Vec2 on_map(const Vec3& v, const Vec3& x, const Vec3& y, const Vec3& z) {
-        const Vec2 flat(v.dot(x), v.dot(y));
-        const double across = flat.norm();
-        return across > 0 ? Vec2(portable::angle_of(across, v.dot(z)) / across * flat) : Vec2(Vec2::Zero());
-    }
-    /// How often `to` goes into the way from the middle to the edge of a polygon round it.
-    static double room_along(const std::vector<Vec2>& polygon, const Vec2& to) {
-        double room = 1e300;
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const Vec2 &a = polygon[i], edge = polygon[(i + 1) % polygon.size()] - a;
-            const double across = to.x() * edge.y() - to.y() * edge.x();
-            if (across == 0) continue;
-            const double t = (a.x() * edge.y() - a.y() * edge.x()) / across,
-                         u = (a.x() * to.y() - a.y() * to.x()) / across;
-            if (t > 0 && u >= -1e-9 && u <= 1 + 1e-9) room = std::min(room, t);
-        }
-        return room;
     }
     std::uint32_t vertex_at(std::int32_t p, std::int32_t i, std::int32_t k) const {
         return out_.path_vertex[p] + (i - d_.stations.first[p]) * d_.refinement.path_sides[p] + k;
@@ -337,12 +250,8 @@ class Placer {
                 const Vec3& centre = d_.skeleton.position[n_.joint_node[joint.joint]];
                 return centre + exit_of_joint(n_, d_.points, joint.joint, centre, outward) * outward;
             }
-            case Cap::pit: {
-                if (!joint.at_joint()) return at;
-                const std::int32_t slot = n_.slot_first[joint.joint] + joint.slot;
-                const PitShape& pit = d_.points.pits[d_.points.extra[slot]];
-                return pressed(joint.joint, pit.middle - pit.half.z() * pit.z);
-            }
+            case Cap::pit:
+                return joint.at_joint() ? bottom_of_dent(d_, joint) : at;
             case Cap::flat:
             case Cap::point:
                 break;
