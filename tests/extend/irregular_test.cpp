@@ -91,6 +91,18 @@ TEST_P(IrregularVertices, OfADentAreThoseOfABone) {
     EXPECT_EQ(special(solid(d).mesh), 8 + 6);
 }
 
+/// At the end of a limb the dent, the limb and the bare sides are the bones of a joint: 2 for each but two of
+/// them, and a pole for each but the limb, whose other end has one.
+TEST_P(IrregularVertices, OfADentInALimbAreThoseOfAJointWithBareSides) {
+    Document d;
+    const double radius = size(0.8, 1.2);
+    add(d, -1, {0, 0, 0}, size(0.5, 1) * radius);
+    add(d, 0, {0, 0, 4}, radius);
+    add(d, 1, {0, 0, 4 + radius * size(1.2, 1.6)}, size(0.2, 0.4) * radius, NodeType::negative);
+    constexpr int bare = 4, bones = bare + 2;
+    EXPECT_EQ(special(solid(d).mesh), 2 * (bones - 2) + bones);
+}
+
 INSTANTIATE_TEST_SUITE_P(RandomSizes, IrregularVertices, ::testing::Range(1u, 11u));
 
 }  // namespace
