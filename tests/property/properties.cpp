@@ -248,8 +248,8 @@ std::string symmetric(const Case& tried, const Skin& skin) {
 }
 
 /// Boxes and ellipses do not look alike after a third or a fifth of a turn, nor do the bones that carry what
-/// is bare of a ball, nor a ball of quads alone: none of them may stand on the axis. Where more than six bones
-/// leave it alike, faces with a pole meet others of as many sides, and rounding decides.
+/// is bare of a ball, nor a ball of quads alone: none of them may stand on the axis. Where more than six
+/// bones leave it alike, faces with a pole meet others of as many sides, and rounding decides.
 bool may_turn(const Document& document) {
     const Symmetry& symmetry = document.symmetry;
     if (symmetry.kind != Symmetry::Kind::radial || symmetry.count == 2) return true;

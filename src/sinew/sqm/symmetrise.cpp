@@ -186,8 +186,8 @@ class VertexImages {
         for (const std::int32_t askew : askew_) {
             std::int32_t p = askew;
             do {
-                std::fill(image_.begin() + bridge_.path_vertex[p], image_.begin() + bridge_.path_vertex[p + 1],
-                          no_vertex);
+                std::fill(image_.begin() + bridge_.path_vertex[p],
+                          image_.begin() + bridge_.path_vertex[p + 1], no_vertex);
                 p = images_.path[p];
             } while (p != askew);
         }

@@ -11,8 +11,8 @@
 
 namespace sinew::sqm {
 
-/// Vertex -> its image under the generator; no_vertex for those of rings and tubes that cannot have one, since
-/// they do not follow the symmetry of the joints at their ends.
+/// Vertex -> its image under the generator; no_vertex for those of rings and tubes that cannot have one,
+/// since they do not follow the symmetry of the joints at their ends.
 std::vector<std::uint32_t> vertex_images(const Parts& parts, const Images& images, const Bridge& bridge);
 
 /// Gives each vertex that is not the first of its orbit the image of the first one's position. Vertices that
