@@ -8,7 +8,7 @@ namespace sinew::sqm {
 namespace {
 
 /// A spine in the plane x = 0 with limbs that branch on both sides of it.
-Document creature() {
+Document biped() {
     Document d;
     add(d, -1, {0, 0, 0}, 0.4);
     add(d, 0, {0, 4, 1}, 0.4);
@@ -22,7 +22,7 @@ Document creature() {
 }
 
 TEST(Symmetrise, EveryVertexHasOneImageWhichIsThatOfItsImage) {
-    const Stages s(creature());
+    const Stages s(biped());
     ASSERT_TRUE(s.images.any());
     Bridge b = bridge(s.parts()).value();
     ASSERT_TRUE(place(s.parts(), s.images, {}, b));
@@ -35,7 +35,7 @@ TEST(Symmetrise, EveryVertexHasOneImageWhichIsThatOfItsImage) {
 }
 
 TEST(Symmetrise, FacesGoToFacesInTheOtherSense) {
-    const Stages s(creature());
+    const Stages s(biped());
     Bridge b = bridge(s.parts()).value();
     ASSERT_TRUE(place(s.parts(), s.images, {}, b));
     const auto image = vertex_images(s.parts(), s.images, b);
@@ -69,7 +69,7 @@ TEST(Symmetrise, MakesPositionsImagesToTheLastBit) {
 }
 
 TEST(Symmetrise, PlacesAMirroredSkeletonExactly) {
-    const Stages s(creature());
+    const Stages s(biped());
     for (const bool limit : {false, true}) {
         Bridge b = bridge(s.parts()).value();
         ASSERT_TRUE(place(s.parts(), s.images, {.limit = limit}, b));

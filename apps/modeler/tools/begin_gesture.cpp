@@ -19,7 +19,7 @@ std::unique_ptr<Gesture> draw_from(Model& model, SnapTo snap_to, const Press& pr
     const bool child = hit.kind == Hit::Kind::node;
     MoveStart start;
     start.edit = child ? add_children(document, std::span(&hit.index, 1))
-                       : insert_on_bone(document, hit.index, hit.along);
+                       : modeler::insert_on_bone(document, hit.index, hit.along);
     start.label = child ? "Extrude" : "Insert";
     start.anchor = start.edit.selection.active;
     start.image = image_of(document, hit.image);

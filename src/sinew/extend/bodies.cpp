@@ -297,7 +297,9 @@ void add_pit(PlainBuilder& b, std::int32_t node) {
     const auto wide = [&](const Vec3& axis) {
         return std::min(exit_of_node(b, parent, axis), exit_of_node(b, parent, -axis));
     };
-    if (narrow(opening.half.x(), wide(opening.x)) | narrow(opening.half.y(), wide(opening.y)))
+    const bool narrowed_x = narrow(opening.half.x(), wide(opening.x));
+    const bool narrowed_y = narrow(opening.half.y(), wide(opening.y));
+    if (narrowed_x || narrowed_y)
         b.warn(node, "this negative leaf is wider than its parent; its dent leaves a wall round it");
     opening.sides = pit_sides;
     b.set_form(node, opening);

@@ -9,7 +9,7 @@
 #include "window/application.h"
 #include "window/theme.h"
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SINEW_SANITIZED
 /// Drivers stay loaded, so that what they leak can be told by their names (tests/leaks.supp) from what we
 /// leak.
 extern "C" int dlclose(void*) { return 0; }
