@@ -2,10 +2,13 @@
 # of targets. Such headers are most of what a file costs. Where one file changes at a time it only costs, so the presets
 # build without it, and each file still includes what it uses.
 option(SINEW_COLD_BUILD "Compile a fresh clone in the least time" OFF)
+option(SINEW_BATCH "With SINEW_COLD_BUILD: several files of a target at once" ON)
 
 # sinew_batch(TARGET): several files at once. For targets whose files have no names in common.
 function(sinew_batch target)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ${SINEW_COLD_BUILD} UNITY_BUILD_BATCH_SIZE 8)
+    if(SINEW_COLD_BUILD AND SINEW_BATCH)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    endif()
 endfunction()
 
 # sinew_headers(TARGET HEADERS...): headers that most of the target's files include.
