@@ -84,7 +84,7 @@ class Caster {
     void gather_in_groove(const CellArc& arc, std::int32_t pieces, Vec3* inner) const {
         if (!is_pit(arc.left) || !is_pit(arc.right)) return;
         constexpr std::int32_t samples = 65;
-        constexpr double beside = 0.4;  // of half the groove's width
+        constexpr double beside = 0.2;  // of half the groove's width
         std::array<Vec3, samples + 2> ray;
         ray.front() = p_.vertices[arc.from], ray.back() = p_.vertices[arc.to];
         divide_arc(p_, arc, samples + 1, &ray[1]);
@@ -111,9 +111,8 @@ class Caster {
         const double from = rim(first, first - 1), to = rim(last, last + 1), half = 0.5 * (to - from);
         inner[0] = ray_at(from - std::min(beside * half, 0.5 * from));
         inner[pieces - 2] = ray_at(to + std::min(beside * half, 0.5 * (samples + 1 - to)));
-        for (std::int32_t i = 1; i < pieces - 2;
-             ++i) {  // evenly from rim to rim, round the wall and the floor
-            const double cosine = portable::sine_cosine(M_PI * (i - 1) / (pieces - 4)).cosine;
+        for (std::int32_t i = 1; i < pieces - 2; ++i) {  // evenly down the wall, over the floor and up again
+            const double cosine = portable::sine_cosine(M_PI * i / (pieces - 2)).cosine;
             inner[i] = ray_at(0.5 * (from + to) - half * cosine);
         }
     }
