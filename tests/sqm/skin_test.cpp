@@ -49,6 +49,15 @@ TEST(Skin, CountsComponentsAndCycles) {
     EXPECT_EQ(v.euler, 2 * 2 - 2 * 5);
 }
 
+TEST(Skin, OfNothingIsNothing) {
+    for (const SkinOptions& options : {SkinOptions{}, SkinOptions{.fit = Fit::limit}}) {
+        const auto skin = sinew::skin(Document{}, options);
+        ASSERT_TRUE(skin) << skin.error().text();
+        EXPECT_EQ(skin->mesh.vertex_count(), 0u);
+        EXPECT_EQ(skin->mesh.face_count(), 0u);
+    }
+}
+
 TEST(Skin, HasEveryStageAsAMesh) {
     const Document d = sqm::star(sqm::fan(5));
     for (const SkinStage stage :

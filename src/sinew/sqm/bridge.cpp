@@ -137,7 +137,7 @@ class Builder {
     }
 
     Cursor cursor(std::uint64_t face, std::uint64_t corner) {
-        return {&out_.mesh.corners[corner], &out_.mesh.face_offsets[face],
+        return {out_.mesh.corners.data() + corner, out_.mesh.face_offsets.data() + face,
                 static_cast<std::uint32_t>(corner)};
     }
     static void quad(Cursor& c, std::uint32_t v0, std::uint32_t v1, std::uint32_t v2, std::uint32_t v3) {
@@ -195,9 +195,7 @@ class Builder {
     }
 
     void rest() {
-        Cursor c = cursor(first_face_.back(), 0);
-        c.at = static_cast<std::uint32_t>(first_corner_.back());
-        c.corner = out_.mesh.corners.data() + first_corner_.back();
+        Cursor c = cursor(first_face_.back(), first_corner_.back());
         std::vector<std::uint32_t> ring;
         for (std::size_t i = 0; i < out_.capped.size(); ++i) {
             ring.clear();
