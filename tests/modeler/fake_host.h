@@ -35,11 +35,12 @@ class FakeHost : public Host {
 };
 
 /// Everything that an action works on.
-struct Desk {
+template <class Window>
+struct DeskWith {
     Model model;
     Interaction tools{model};
     ViewSettings view;
-    FakeHost host;
+    Window host;
     Context context{model, tools, view, host};
 
     void run(const char* id) { find_action(id)->run(context); }
@@ -49,5 +50,6 @@ struct Desk {
     }
     bool checked(const char* id) const { return find_action(id)->checked(context); }
 };
+using Desk = DeskWith<FakeHost>;
 
 }  // namespace sinew::modeler

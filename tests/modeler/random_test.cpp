@@ -7,19 +7,18 @@
 
 #include "document/fields.h"
 #include "fake_host.h"
-#include "sinew/io/skeleton_formats.h"
 #include "sinew/skeleton/graph.h"
 #include "sinew/skeleton/validate.h"
 #include "stage.h"
+#include "whole_history.h"
 
 namespace sinew::modeler {
 namespace {
 
-std::string bytes_of(const Document& document) { return print_skeleton(document, "it.sinew")->text; }
-
 class Chaos {
   public:
     explicit Chaos(unsigned seed) : random_(seed) {
+        desk_.host.chaos = this;
         desk_.model.replace(starting_document(), true);
         beginning_ = bytes_of(desk_.model.document());
     }
@@ -32,13 +31,7 @@ class Chaos {
         }
         desk_.tools.cancel();
         desk_.model.cancel();
-        const std::string end = bytes_of(desk_.model.document());
-        int steps = 0;
-        for (; desk_.model.history().canUndo(); ++steps) desk_.model.undo();
-        EXPECT_EQ(bytes_of(document()), beginning_);
-        for (int i = 0; i < steps; ++i) desk_.model.redo();
-        EXPECT_EQ(bytes_of(document()), end);
-        return steps;
+        return expect_whole_history(desk_.model, beginning_);
     }
 
   private:
@@ -139,22 +132,10 @@ class Chaos {
         }
     };
 
-    struct {
-        Model model;
-        Interaction tools{model};
-        ViewSettings view;
-        HandyHost host;
-        Context context{model, tools, view, host};
-        void run(const char* id) { find_action(id)->run(context); }
-        bool enabled(const char* id) const {
-            const Action& action = *find_action(id);
-            return !action.enabled || action.enabled(context);
-        }
-    } desk_;
+    DeskWith<HandyHost> desk_;
     Screen screen_ = front_screen();
     std::mt19937 random_;
     std::string beginning_;
-    int unused_ = (desk_.host.chaos = this, 0);
 };
 
 TEST(Chaos, leaves_a_sound_document_and_a_whole_history) {

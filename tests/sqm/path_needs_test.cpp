@@ -1,6 +1,5 @@
 #include "sinew/sqm/path_needs.h"
 
-#include "sinew/skeleton/symmetry.h"
 #include "sqm/stages.h"
 
 namespace sinew::sqm {
@@ -60,15 +59,7 @@ TEST(PathNeeds, OfRectanglesAreFoursAndOfThoseAcrossAMirrorEights) {
 
 TEST(PathNeeds, OnTheAxisAreMultiplesOfTheOrderOfTheSymmetry) {
     for (const int count : {3, 5, 7}) {
-        Document d;
-        add(d, -1, {0, 0, 0}, 0.5);
-        add(d, 0, {0, 0, 3}, 0.4);
-        add(d, 0, {3, 0.1, -1}, 0.3);
-        d.symmetry = {Symmetry::Kind::radial, 2, count};
-        const ExpandedSymmetry e = expand_symmetry(d);
-        Plain plain = plain_of(e.document);
-        plain.symmetry = carry_symmetry(plain, e.generator, e.order, e.image);
-        const Asked asked(std::move(plain));
+        const Asked asked(expanded(wheel(count)));
         ASSERT_EQ(asked.images.order, count);
         for (std::int32_t p = 0; p < asked.network.path_count(); ++p) {
             const bool on_axis = asked.images.path[p] == p;

@@ -8,6 +8,7 @@
 
 #include "property/random.h"
 #include "sinew/extend/extend.h"
+#include "sinew/skeleton/symmetry.h"
 #include "sinew/sqm/bridge.h"
 #include "sinew/sqm/place.h"
 #include "sinew/sqm/refine.h"
@@ -99,6 +100,24 @@ inline Plain plain_of(const Document& document) {
     Plain plain = extend(document, condition(document), warnings);
     plain.symmetry = find_mirror(plain);
     return plain;
+}
+
+/// The same with the images of its symmetry, which it keeps.
+inline Plain expanded(const Document& document) {
+    const ExpandedSymmetry e = expand_symmetry(document);
+    Plain plain = plain_of(e.document);
+    plain.symmetry = carry_symmetry(plain, e.generator, e.order, e.image);
+    return plain;
+}
+
+/// An axle along z, and a spoke that the symmetry repeats.
+inline Document wheel(int count) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 0.5);
+    add(d, 0, {0, 0, 3}, 0.4);
+    add(d, 0, {3, 0.1, -1}, 0.3);
+    d.symmetry = {Symmetry::Kind::radial, 2, count};
+    return d;
 }
 
 /// All stages before the faces.

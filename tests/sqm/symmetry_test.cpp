@@ -1,6 +1,5 @@
 #include "sinew/sqm/symmetry.h"
 
-#include "sinew/skeleton/symmetry.h"
 #include "sqm/stages.h"
 
 namespace sinew::sqm {
@@ -15,13 +14,6 @@ Document creature() {
     add(d, elbow, {4, 0, 1}, 0.2);
     add(d, elbow, {4, 2, -1}, 0.2);
     return d;
-}
-
-Plain expanded(const Document& document) {
-    const ExpandedSymmetry e = expand_symmetry(document);
-    Plain plain = plain_of(e.document);
-    plain.symmetry = carry_symmetry(plain, e.generator, e.order, e.image);
-    return plain;
 }
 
 /// Images are where the generator says, and applying it `order` times comes back.
@@ -59,14 +51,7 @@ void expect_images(const Plain& skeleton, std::int32_t order) {
 TEST(Symmetry, OfAMirrorIsAReflection) { expect_images(expanded(mirrored(creature())), 2); }
 
 TEST(Symmetry, OfAWheelTurnsRound) {
-    for (const int count : {2, 3, 7}) {
-        Document d;
-        add(d, -1, {0, 0, 0}, 0.5);
-        add(d, 0, {0, 0, 3}, 0.4);
-        add(d, 0, {3, 0.1, -1}, 0.3);
-        d.symmetry = {Symmetry::Kind::radial, 2, count};
-        expect_images(expanded(d), count);
-    }
+    for (const int count : {2, 3, 7}) expect_images(expanded(wheel(count)), count);
 }
 
 TEST(Symmetry, IsFoundInAGraphThatNobodySaidItOf) {

@@ -6,9 +6,8 @@
 ///
 /// - A sphere, cone or hemisphere at a leaf becomes itself, with a cap, and has a form where it is scaled,
 ///   rectangular or sharp. It adds 1 special vertex.
-/// - A cube on a bone or at its end becomes two rings at its faces, and one each where a narrower tube meets
-/// a
-///   face. It adds none on a bone, and at its end 1.
+/// - A cube on a bone or at its end becomes two rings at its faces, and one each where a narrower tube
+///   meets a face. It adds none on a bone, and at its end 1.
 /// - A cube at a root or a branch becomes a box joint, with a plate where a narrower tube leaves and a flat
 ///   cap on every free face. It adds its 8 corners and 1 for each free face.
 /// - A ball becomes a ball joint, with a ring where each tube leaves and surface bones where it would be

@@ -107,14 +107,14 @@ void find_dents(const Plain& s, const Network& n, JointPoints& points) {
     points.pit_first.assign(n.joint_count() + 1, 0);
     points.groove_first.assign(n.joint_count(), 0);
     for (std::int32_t j = 0; j < n.joint_count(); ++j) {
+        const Vec3& centre = s.position[n.joint_node[j]];
         const auto first = points.pit_first[j] = static_cast<std::int32_t>(points.pits.size());
         for (std::int32_t slot = n.slot_first[j]; slot < n.slot_first[j + 1]; ++slot)
             if (points.kind[slot] == SlotKind::pit) {
                 points.extra[slot] = static_cast<std::int32_t>(points.pits.size());
-                points.pits.push_back(pit_of(s, s.position[n.joint_node[j]], next_node(n, slot)));
+                points.pits.push_back(pit_of(s, centre, next_node(n, slot)));
             }
         const auto own = points.groove_first[j] = static_cast<std::int32_t>(points.pits.size());
-        const Vec3& centre = s.position[n.joint_node[j]];
         for (std::int32_t a = first; a < own; ++a)
             for (std::int32_t b = a + 1; b < own; ++b)
                 add_groove(n, points, j, centre, points.pits[a], points.pits[b]);

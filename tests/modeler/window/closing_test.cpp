@@ -39,6 +39,14 @@ void when_asked(Robot& robot, QMessageBox::StandardButton answer, int& asked) {
     });
 }
 
+/// Closes the window, answers the question, and holds it to be asked once.
+void quit(Robot& robot, QMessageBox::StandardButton answer) {
+    int asked = 0;
+    when_asked(robot, answer, asked);
+    robot.key(Qt::Key_Q, Qt::ControlModifier);
+    EXPECT_EQ(asked, 1);
+}
+
 TEST(Closing, nothing_is_asked_where_nothing_would_be_lost) {
     Robot robot;
     robot.key(Qt::Key_Q, Qt::ControlModifier);
@@ -48,10 +56,7 @@ TEST(Closing, nothing_is_asked_where_nothing_would_be_lost) {
 TEST(Closing, cancel_keeps_the_window) {
     Robot robot;
     draw_a_tube(robot);
-    int asked = 0;
-    when_asked(robot, QMessageBox::Cancel, asked);
-    robot.key(Qt::Key_Q, Qt::ControlModifier);
-    EXPECT_EQ(asked, 1);
+    quit(robot, QMessageBox::Cancel);
     EXPECT_TRUE(robot.window().isVisible());
     EXPECT_TRUE(robot.window().isWindowModified());
 }
@@ -59,10 +64,7 @@ TEST(Closing, cancel_keeps_the_window) {
 TEST(Closing, discard_closes_it) {
     Robot robot;
     draw_a_tube(robot);
-    int asked = 0;
-    when_asked(robot, QMessageBox::Discard, asked);
-    robot.key(Qt::Key_Q, Qt::ControlModifier);
-    EXPECT_EQ(asked, 1);
+    quit(robot, QMessageBox::Discard);
     EXPECT_FALSE(robot.window().isVisible());
 }
 
@@ -71,11 +73,8 @@ TEST(Closing, save_asks_for_a_name_and_writes_the_file) {
     Robot robot;
     draw_a_tube(robot);
     const Document drawn = robot.document();
-    int asked = 0;
-    when_asked(robot, QMessageBox::Save, asked);
     robot.when_asked_for_file("save_dialog", in(folder, "tube.sinew"));
-    robot.key(Qt::Key_Q, Qt::ControlModifier);
-    EXPECT_EQ(asked, 1);
+    quit(robot, QMessageBox::Save);
     EXPECT_FALSE(robot.window().isVisible());
     const auto read = read_skeleton(folder.file("tube.sinew"));
     ASSERT_TRUE(read) << read.error().text();

@@ -12,8 +12,8 @@
 #include <QWheelEvent>
 #include <random>
 
+#include "modeler/whole_history.h"
 #include "robot.h"
-#include "sinew/io/skeleton_formats.h"
 #include "sinew/skeleton/validate.h"
 #include "viewport/viewport.h"
 #include "window/action_set.h"
@@ -21,8 +21,6 @@
 
 namespace sinew::modeler {
 namespace {
-
-std::string bytes_of(const Document& document) { return print_skeleton(document, "it.sinew")->text; }
 
 class Wild {
   public:
@@ -46,14 +44,7 @@ class Wild {
             QTest::mouseRelease(&viewport(), pressed, {}, QPoint(5, 5));
         if (auto* panel = growing()) panel->finish(true);
         robot_.window().tools().cancel();
-        Model& model = robot_.window().model();
-        const std::string end = bytes_of(model.document());
-        int steps = 0;
-        for (; model.history().canUndo(); ++steps) model.undo();
-        EXPECT_GT(steps, 3);
-        EXPECT_EQ(bytes_of(model.document()), beginning_);
-        for (int i = 0; i < steps; ++i) model.redo();
-        EXPECT_EQ(bytes_of(model.document()), end);
+        EXPECT_GT(expect_whole_history(robot_.window().model(), beginning_), 3);
         robot_.window().view().live = true;
         robot_.window().view().level = 1;
         robot_.window().meshes().refresh();
