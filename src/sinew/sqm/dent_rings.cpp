@@ -5,6 +5,7 @@
 
 #include "sinew/base/portable_math.h"
 #include "sinew/sqm/dents.h"
+#include "sinew/sqm/path_frame.h"
 
 namespace sinew::sqm {
 namespace {
@@ -97,11 +98,8 @@ class DentRings {
     }
     Vec3 way_to(std::int32_t k) const { return (d_.points.position[border_[k]] - centre_).normalized(); }
     Vec3 ray_towards(const Vec3& to, double share) const {
-        const double sine = pit_.z.cross(to).norm(), angle = portable::angle_of(sine, pit_.z.dot(to));
-        if (!(sine > 1e-9)) return pit_.z;
-        return (portable::sine_cosine((1 - share) * angle).sine * pit_.z +
-                portable::sine_cosine(share * angle).sine * to) /
-               sine;
+        const GreatCircle way(pit_.z, to);
+        return way.sine > 1e-9 ? way.at(share) : pit_.z;
     }
     /// How much of the way to a direction the groove goes: 1 where it goes on beyond that.
     double room_towards(const Vec3& to) const {

@@ -31,6 +31,20 @@ inline Vec3 carry_frame(const Vec3& x, const Vec3& p, const Vec3& a, const Vec3&
     return length > 1e-9 ? Vec3(flat / length) : Vec3(frame_about(b).col(0));
 }
 
+/// The great circle from one unit direction to another that is neither the same nor opposite.
+struct GreatCircle {
+    Vec3 from, to;
+    double sine, angle;
+
+    GreatCircle(const Vec3& a, const Vec3& b)
+        : from(a), to(b), sine(a.cross(b).norm()), angle(portable::angle_of(sine, a.dot(b))) {}
+    Vec3 at(double share) const {
+        return (portable::sine_cosine((1 - share) * angle).sine * from +
+                portable::sine_cosine(share * angle).sine * to) /
+               sine;
+    }
+};
+
 /// Angle of a vector round the axis x cross y, from x towards y.
 inline double angle_round(const Vec3& v, const Vec3& x, const Vec3& y) {
     return portable::angle_of(v.dot(y), v.dot(x));

@@ -12,6 +12,7 @@
 #include "sinew/sqm/dent_rings.h"
 #include "sinew/sqm/features.h"
 #include "sinew/sqm/fit.h"
+#include "sinew/sqm/path_frame.h"
 #include "sinew/sqm/symmetrise.h"
 
 namespace sinew::sqm {
@@ -219,12 +220,9 @@ class Placer {
         const Vec3 a = at_joint - centre, b = on_ring - centre;
         const double la = a.norm(), lb = b.norm();
         const Form* body = d_.points.body[joint];
-        const Vec3 u = to_ball_space(body, a / la), v = to_ball_space(body, b / lb);
-        const double sine = u.cross(v).norm(), angle = portable::angle_of(sine, u.dot(v));
-        if (!(angle > 1e-6 && angle < 3.1)) return at_joint + share * (on_ring - at_joint);
-        const Vec3 ray = from_ball_space(body, (portable::sine_cosine((1 - share) * angle).sine * u +
-                                                portable::sine_cosine(share * angle).sine * v) /
-                                                   sine);
+        const GreatCircle way(to_ball_space(body, a / la), to_ball_space(body, b / lb));
+        if (!(way.angle > 1e-6 && way.angle < 3.1)) return at_joint + share * (on_ring - at_joint);
+        const Vec3 ray = from_ball_space(body, way.at(share));
         return centre + exit_of_joint(n_, d_.points, joint, centre, ray) * ray;
     }
 
