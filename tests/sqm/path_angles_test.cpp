@@ -1,3 +1,5 @@
+#include "sinew/sqm/path_angles.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -88,21 +90,6 @@ TEST(PathAngles, PutTheCornersOfOutlinesOnCornerColumns) {
         const double quarters = (column - corner) / (M_PI / 2);
         EXPECT_NEAR(quarters, std::round(quarters), 1e-6);
     }
-}
-
-TEST(PathAngles, FollowRingsLieBetweenTheJointAndItsFirstRing) {
-    Document d = star(std::vector<Vec3>{Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY()}, 6, 0.5);
-    d.nodes[0].type = NodeType::ball;
-    d.nodes[0].radius = 2;
-    const Stages s(d);
-    int follow = 0;
-    for (const Station& ring : s.stations.stations) {
-        if (ring.shape != RingShape::follow) continue;
-        EXPECT_GT(ring.share, 0);
-        EXPECT_LT(ring.share, 1);
-        ++follow;
-    }
-    EXPECT_GT(follow, 0);
 }
 
 }  // namespace

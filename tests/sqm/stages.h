@@ -145,6 +145,10 @@ struct Stages {
     std::int32_t ring_count(std::int32_t path) const {
         return stations.first[path + 1] - stations.first[path];
     }
+    std::vector<Station> rings(std::int32_t path) const {
+        return {stations.stations.begin() + stations.first[path],
+                stations.stations.begin() + stations.first[path + 1]};
+    }
     /// Vertices round a cell.
     std::int32_t round_cell(std::int32_t cell) const {
         std::int32_t sum = 0;

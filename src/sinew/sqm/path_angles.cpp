@@ -1,9 +1,10 @@
+#include "sinew/sqm/path_angles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "sinew/sqm/path_frame.h"
-#include "sinew/sqm/path_work.h"
 
 namespace sinew::sqm {
 namespace {
@@ -215,96 +216,8 @@ class AngleFinder {
     std::vector<std::pair<double, double>>& anchors_;  // distance along the path, turn there
 };
 
-/// Rings that follow the joint's surface to the first proper ring.
-class Follower {
-  public:
-    explicit Follower(PathWork& work) : w_(work) {}
-
-    void run() {
-        if (w_.far.any()) insert(w_.far, true);
-        if (w_.near.any()) insert(w_.near, false);
-    }
-
-  private:
-    /// How many rings the worst column wants; its target is the first proper ring, or the pole of a bare
-    /// surface.
-    int wanted(const JointSide& side, bool is_far) const {
-        const bool pole = w_.rings.empty();
-        if (pole && w_.s.cap[w_.node(is_far ? 0 : w_.count() - 1)] != Cap::surface) return 0;
-        const Form* body = w_.points.body[side.joint];
-        if (pole && body && body->kind == Form::Kind::box) return 0;
-        const double r = w_.s.radius[w_.n.joint_node[side.joint]];
-        const bool ball = body && body->kind == Form::Kind::ball;
-        if (!pole && !ball && is_near(side, is_far ? w_.rings.back() : w_.rings.front())) return 0;
-        const std::size_t angles = w_.out.angle.size() - w_.sides;
-        double worst = 0;
-        for (std::int32_t k = 0, j = is_far ? w_.out.far_shift.back() : 0; k < w_.sides; ++k, ++j) {
-            if (j == w_.sides) j = 0;
-            const Vec3 target = pole ? on_surface(side, w_.position(is_far ? 0 : w_.count() - 1))
-                                     : on_ring(is_far, w_.out.angle[angles + k]);
-            const Vec3 middle = 0.5 * (side.points[j] + (target - side.centre));
-            const double distance = middle.norm();
-            if (!(distance > 0)) continue;
-            const double exit = exit_of_joint(w_.n, w_.points, side.joint, side.centre, middle / distance);
-            worst =
-                std::max(worst, (exit - distance) * (ball ? r / exit : 1));  // of an ellipsoid as of a ball
-        }
-        return worst > 0.45 * r ? 2 : worst > (ball ? 0.02 : 0.18) * r ? 1 : 0;
-    }
-    /// Whether no column turns by more than 70 degrees, seen from the joint: a chord of that loses 0.18 of
-    /// the radius.
-    static bool is_near(const JointSide& side, const Station& ring) {
-        const Vec3 out = ring.centre - side.centre;
-        const double height = std::abs(out.dot(ring.tangent)),
-                     slant = std::sqrt(height * height + ring.half.x() * ring.half.x());
-        const double cosine = height / slant, sine = ring.half.x() / slant;
-        const double widest = std::sqrt(std::max(0.0, 1 - side.widest * side.widest));
-        return side.widest * cosine + widest * sine > 0.342;
-    }
-    /// Where the joint's surface is on the way to a place.
-    Vec3 on_surface(const JointSide& side, const Vec3& place) const {
-        const Vec3 ray = (place - side.centre).normalized();
-        return side.centre + exit_of_joint(w_.n, w_.points, side.joint, side.centre, ray) * ray;
-    }
-    Vec3 on_ring(bool is_far, double angle) const {
-        const Station& ring = is_far ? w_.rings.back() : w_.rings.front();
-        const Vec3 y = ring.tangent.cross(ring.x);
-        const auto [sine, cosine] = portable::sine_cosine(angle + ring.turn);
-        return ring.centre + ring.half.mean() * (cosine * ring.x + sine * y);
-    }
-    void insert(const JointSide& side, bool is_far) {
-        if (w_.out.crowded.back()[is_far]) return;  // there its own surface is not what is seen
-        const int rings = wanted(side, is_far);
-        if (rings == 0) return;
-        Station ring = w_.rings.empty() ? at_surface(is_far) : is_far ? w_.rings.back() : w_.rings.front();
-        Station follow;
-        follow.centre = ring.centre;
-        follow.tangent = ring.tangent;
-        follow.x = ring.x;
-        follow.turn = ring.turn;
-        follow.bone = ring.bone;
-        follow.along = ring.along;
-        follow.shape = RingShape::follow;
-        follow.far = is_far;
-        follow.node = w_.n.joint_node[side.joint];
-        for (int i = 0; i < rings; ++i) {
-            follow.share = static_cast<float>(rings - i) / static_cast<float>(rings + 1);
-            w_.rings.insert(is_far ? w_.rings.end() : w_.rings.begin(), follow);
-        }
-    }
-    Station at_surface(bool is_far) const {
-        Station ring;
-        ring.centre = w_.position(is_far ? 0 : w_.count() - 1);
-        ring.bone = w_.bones[is_far ? 0 : w_.bone_count() - 1];
-        return ring;
-    }
-
-    PathWork& w_;
-};
-
 }  // namespace
 
 void find_angles(PathWork& work) { AngleFinder(work).run(); }
-void add_follow_rings(PathWork& work) { Follower(work).run(); }
 
 }  // namespace sinew::sqm

@@ -2,7 +2,11 @@
 /// One path while its rings are found. Internal to the stations.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "sinew/sqm/stations.h"
 
@@ -40,7 +44,8 @@ struct PathWork {
     std::vector<Station> rings;
 
     // Working memory.
-    std::vector<std::uint8_t> kept;
+    std::vector<std::uint8_t> kept;   ///< node -> whether its ring is not left out
+    std::vector<std::uint8_t> bored;  ///< bone -> whether the path bores a hole there; empty if nowhere
     std::vector<double> heights, distance, near_angles, far_angles;
     std::vector<std::pair<double, double>> anchors;
 
@@ -53,18 +58,46 @@ struct PathWork {
     Vec3 direction(std::int32_t bone) const { return (position(bone + 1) - position(bone)).normalized(); }
     BoneKind kind(std::int32_t bone) const { return s.bone_kind[bones[bone]]; }
     bool is_inner(std::int32_t i) const { return closed || (i > 0 && i + 1 < count()); }
+    double edge_of(double radius) const { return edge * radius; }
+    /// Direction of a bone as its rings see it: against it where the path bores a hole.
+    Vec3 way(std::int32_t bone) const {
+        return bored.empty() || !bored[bone] ? direction(bone) : Vec3(-direction(bone));
+    }
+
+    /// The form of a node, if that is a ring's.
+    const Form* ring_form(std::int32_t i) const {
+        const Form* f = form(i);
+        return f && f->kind == Form::Kind::ring ? f : nullptr;
+    }
+    bool is_fixed(std::int32_t i) const { return ring_form(i) && ring_form(i)->fixed; }
+    bool is_rectangular(std::int32_t i) const {
+        return ring_form(i) && ring_form(i)->section == Section::rectangular;
+    }
+    bool is_shaped(std::int32_t i) const {
+        const Form* f = ring_form(i);
+        return f && (f->section == Section::rectangular || f->half.x() != f->half.y());
+    }
+
+    /// How far the ring at a node leans over its bones, on the inner side of the bend.
+    double lean(std::int32_t i) const {
+        if (is_fixed(i)) return 0;
+        const double cosine = std::clamp(way(i - 1).dot(way(i)), -1.0, 1.0);
+        return radius(i) * std::min(1.0, std::sqrt((1 - cosine) / (1 + cosine + 1e-12)));
+    }
 };
 
-/// Rings along the path, from its start to its end, but for the follow rings. @param keep_all leaves out none
-/// at nodes.
-void place_rings(PathWork& work, bool keep_all);
-
-/// Turns the rings' frames along the path, spreads its columns and the twist, and writes its angles, shift
-/// and corners.
-void find_angles(PathWork& work);
-
-/// Where the faces between a joint and the first ring would cut off much of the joint's surface, rings follow
-/// it.
-void add_follow_rings(PathWork& work);
+/// Appends a ring of the given radius, that stands on a bone at the share `along` of its length.
+inline Station& add_ring(PathWork& w, const Vec3& centre, const Vec3& tangent, double radius,
+                         std::int32_t bone, double along) {
+    Station& ring = w.rings.emplace_back();
+    ring.centre = centre;
+    ring.tangent = tangent;
+    ring.half = {radius, radius};
+    ring.bone = w.bones[bone];
+    const bool forward = w.s.bones[ring.bone][0] == w.node(bone);
+    ring.along = static_cast<float>(std::clamp(forward ? along : 1 - along, 0.0, 1.0));
+    ring.node = w.node(along > 0.5 ? bone + 1 : bone);
+    return ring;
+}
 
 }  // namespace sinew::sqm

@@ -4,7 +4,9 @@
 
 #include "sinew/base/portable_math.h"
 #include "sinew/sqm/chunks.h"
-#include "sinew/sqm/path_work.h"
+#include "sinew/sqm/follow_rings.h"
+#include "sinew/sqm/path_angles.h"
+#include "sinew/sqm/path_rings.h"
 
 namespace sinew::sqm {
 namespace {
