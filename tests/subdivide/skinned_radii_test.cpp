@@ -90,5 +90,16 @@ TEST(SkinnedRadii, OfAFrameWithSharpBends) {
     }
 }
 
+TEST(SkinnedRadii, OfALimbBehindWhatStandsOnIt) {
+    for (const NodeType type : {NodeType::sphere, NodeType::negative})
+        for (const int sides : {6, 8, 12, 16}) {
+            SCOPED_TRACE(testing::Message() << (type == NodeType::negative ? "dent, " : "branch, ") << sides);
+            Document limb = stick(6, 1, NodeType::hemisphere);
+            testing_types::add(limb, 1, {3, 0, type == NodeType::negative ? 1.4 : 2.0}, 0.4, type);
+            // No tighter: a joint's faces are as long as the limb is wide.
+            EXPECT_LT(worst_between(smooth_points(limb, sides), 0.5, 5.5, 0.4), sides > 8 ? 0.04 : 0.025);
+        }
+}
+
 }  // namespace
 }  // namespace sinew

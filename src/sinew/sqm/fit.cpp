@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sinew/mesh/limit.h"
 #include "sinew/sqm/dents.h"
@@ -13,7 +14,15 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr int fit_steps = 16;
+constexpr std::uint8_t fit_steps = 8;
+
+/// Round cones meet in creases, and faces at joints are of all sizes: a smooth surface that passes through
+/// all points there swells between them. One step makes up for the width that it lacks, and leaves it fair;
+/// with four sides, where a third is lacking, three do.
+std::uint8_t joint_steps(std::int32_t sides) { return sides > 4 ? 1 : 3; }
+
+/// By how many times what a ring lacks its points have to move out.
+float gain_for(std::int32_t sides) { return static_cast<float>(1 / ring_limit_radius(sides)); }
 
 /// How a vertex may move: along a line, or in the plane at right angles to one; along none it stays.
 struct Freedom {
@@ -21,6 +30,8 @@ struct Freedom {
     Vec3f lack =
         Vec3f::Zero();  ///< how far along the line, of what the limit lacks: the axis, or oblique to it
     bool in_plane = false;
+    float gain = 1;          ///< by how many times what is lacking
+    std::uint8_t steps = 0;  ///< and how often
     std::uint32_t before = no_vertex,
                   after = no_vertex;  ///< the next one of the column, where the tube tapers
 };
@@ -39,10 +50,11 @@ class Fitter {
         tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n_.path_count(), 64), [&](const auto& range) {
             for (std::int32_t p = range.begin(); p < range.end(); ++p) path(p);
         });
+        constexpr std::int32_t lone_sides = 8;  // of a cube's corners, edges and faces
         std::uint32_t vertex = b_.lone_vertex;
         for (const std::int32_t node : n_.lone)
             for (std::size_t i = 0; i < lone_sphere_points().size(); ++i)
-                from(vertex++, d_.skeleton.position[node]);
+                from(vertex++, d_.skeleton.position[node], lone_sides);
         // Half of the vertices stay: rings of round ends and those that hold a tube beside them.
         std::vector<char> moves(freedom_.size());
         for (std::size_t v = 0; v < moves.size(); ++v) moves[v] = !freedom_[v].lack.isZero(0);
@@ -52,9 +64,11 @@ class Fitter {
     }
 
   private:
-    void from(std::uint32_t vertex, const Vec3& centre) {
+    void from(std::uint32_t vertex, const Vec3& centre, std::int32_t sides, std::uint8_t steps = fit_steps) {
         freedom_[vertex].axis = freedom_[vertex].lack =
             (targets_[vertex] - centre).normalized().cast<float>();
+        freedom_[vertex].gain = gain_for(sides);
+        freedom_[vertex].steps = steps;
     }
     bool in_dent(std::int32_t joint, const Vec3& from_centre) const {
         const double distance = from_centre.norm();
@@ -66,8 +80,9 @@ class Fitter {
     void from_joint(std::uint32_t vertex, std::int32_t joint) {
         const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
         if (has_groove(d_.points, joint) && in_dent(joint, targets_[vertex] - centre)) return;
-        from(vertex, centre);
         const Form* body = d_.points.body[joint];
+        const bool blend = !body || body->kind == Form::Kind::blend;
+        from(vertex, centre, joint_sides_[joint], blend ? joint_steps(joint_sides_[joint]) : fit_steps);
         if (!body || body->kind != Form::Kind::ball) return;
         const Vec3 ray = targets_[vertex] - centre;
         Vec3 normal = Vec3::Zero();
@@ -82,6 +97,11 @@ class Fitter {
             freedom_[vertex].lack = (ray.norm() / ray.dot(normal) * normal).cast<float>();
     }
     void joints() {
+        joint_sides_.assign(n_.joint_count(), std::numeric_limits<std::int32_t>::max());
+        for (std::int32_t j = 0; j < n_.joint_count(); ++j)
+            n_.for_slots(j, [&](std::int32_t, std::int32_t p) {
+                joint_sides_[j] = std::min(joint_sides_[j], d_.refinement.path_sides[p]);
+            });
         for (std::int32_t j = 0; j < n_.joint_count(); ++j)
             for (std::uint32_t v = d_.points.first[j]; v < d_.points.first[j + 1]; ++v) from_joint(v, j);
         std::int32_t j = 0;
@@ -94,6 +114,7 @@ class Fitter {
         const Stations& s = d_.stations;
         const std::int32_t sides = d_.refinement.path_sides[p];
         const double wider = ring_fit_radius(sides), held = wider / ring_limit_radius(sides);
+        const float gain = gain_for(sides);
         for (std::int32_t i = s.first[p]; i < s.first[p + 1]; ++i) {
             const Station& ring = s.stations[i];
             const std::uint32_t first = b_.path_vertex[p] + (i - s.first[p]) * sides;
@@ -115,6 +136,8 @@ class Fitter {
                 }
                 freedom_[first + k].axis = freedom_[first + k].lack = ring.tangent.cast<float>();
                 freedom_[first + k].in_plane = ring.shape != RingShape::pit;
+                freedom_[first + k].gain = gain;
+                freedom_[first + k].steps = fit_steps;
                 // A smooth ring through the points of a circle runs inside it between them: half of that is
                 // given back.
                 if (tube) target = ring.centre + wider * (target - ring.centre);
@@ -137,7 +160,7 @@ class Fitter {
             if (far.at_joint() && nodes.size() == 2)
                 from_joint(pole, far.joint);
             else
-                from(pole, d_.skeleton.position[other]);
+                from(pole, d_.skeleton.position[other], sides);
         }
         round_ends(p, held);
     }
@@ -287,10 +310,11 @@ class Fitter {
                 tbb::blocked_range<std::size_t>(0, moving.size(), 2048), [&](const auto& range) {
                     for (std::size_t i = range.begin(); i < range.end(); ++i) {
                         const std::uint32_t v = moving[i];
+                        if (step >= freedom_[v].steps) continue;
                         const Vec3 axis = freedom_[v].axis.template cast<double>();
                         const Vec3 lack = target_at(v, limit[v], axis) - limit[v];
                         const Vec3 along = lack.dot(freedom_[v].lack.template cast<double>()) * axis;
-                        control[v] += freedom_[v].in_plane ? Vec3(lack - along) : along;
+                        control[v] += freedom_[v].gain * (freedom_[v].in_plane ? Vec3(lack - along) : along);
                     }
                 });
         }
@@ -302,6 +326,7 @@ class Fitter {
     const Bridge& b_;
     std::vector<Vec3> targets_;
     std::vector<Freedom> freedom_;
+    std::vector<std::int32_t> joint_sides_;  ///< joint -> of its path of fewest sides
 };
 
 }  // namespace
