@@ -122,6 +122,10 @@ void find_dents(const Plain& s, const Network& n, JointPoints& points) {
     points.pit_first.back() = static_cast<std::int32_t>(points.pits.size());
 }
 
+bool has_dents(const JointPoints& points, std::int32_t joint) {
+    return !points.pits.empty() && points.pit_first[joint] < points.pit_first[joint + 1];
+}
+
 bool has_groove(const JointPoints& points, std::int32_t joint) {
     return !points.pits.empty() && points.groove_first[joint] < points.pit_first[joint + 1];
 }

@@ -15,7 +15,10 @@ void find_dents(const Plain& skeleton, const Network& network, JointPoints& poin
 bool dents_overlap(const Plain& skeleton, const Network& network, std::int32_t joint, std::int32_t slot,
                    std::int32_t other);
 
-/// Whether any dents of a joint do.
+/// Whether a joint has any.
+bool has_dents(const JointPoints& points, std::int32_t joint);
+
+/// Whether any dents of a joint become a groove.
 bool has_groove(const JointPoints& points, std::int32_t joint);
 
 /// Where a ray from a joint's centre meets the floor once everything from `distance` on inwards that lies in

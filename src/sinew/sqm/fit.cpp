@@ -74,6 +74,12 @@ class Fitter {
         const double distance = from_centre.norm();
         return distance < (1 - 1e-6) * exit_without_dents(n_, d_.points, joint, from_centre / distance);
     }
+    /// Balls are to be round, and their points are spread evenly, but not beside dents.
+    std::uint8_t steps_at(std::int32_t joint) const {
+        const Form* body = d_.points.body[joint];
+        if (!body || body->kind == Form::Kind::blend) return joint_steps(joint_sides_[joint]);
+        return has_dents(d_.points, joint) ? 2 : fit_steps;
+    }
     /// Points of a joint move along its rays, but for those in grooves, whose walls are too steep for that.
     /// On an ellipsoid by what is lacking along its normals: a limit beside the ray may well be on the
     /// surface.
@@ -81,8 +87,7 @@ class Fitter {
         const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
         if (has_groove(d_.points, joint) && in_dent(joint, targets_[vertex] - centre)) return;
         const Form* body = d_.points.body[joint];
-        const bool blend = !body || body->kind == Form::Kind::blend;
-        from(vertex, centre, joint_sides_[joint], blend ? joint_steps(joint_sides_[joint]) : fit_steps);
+        from(vertex, centre, joint_sides_[joint], steps_at(joint));
         if (!body || body->kind != Form::Kind::ball) return;
         const Vec3 ray = targets_[vertex] - centre;
         Vec3 normal = Vec3::Zero();
