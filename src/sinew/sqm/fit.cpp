@@ -9,7 +9,7 @@
 
 #include "sinew/mesh/limit.h"
 #include "sinew/sqm/dents.h"
-#include "sinew/sqm/round_end.h"
+#include "sinew/sqm/fit_round_ends.h"
 
 namespace sinew::sqm {
 namespace {
@@ -117,167 +117,71 @@ class Fitter {
     }
     void path(std::int32_t p) {
         const Stations& s = d_.stations;
-        const std::int32_t sides = d_.refinement.path_sides[p];
-        const double wider = ring_fit_radius(sides), held = wider / ring_limit_radius(sides);
-        const float gain = gain_for(sides);
         for (std::int32_t i = s.first[p]; i < s.first[p + 1]; ++i) {
             const Station& ring = s.stations[i];
-            const std::uint32_t first = b_.path_vertex[p] + (i - s.first[p]) * sides;
             const bool tube =
                 ring.shape == RingShape::node || (ring.shape == RingShape::circle && !ring.round);
-            for (std::int32_t k = 0; k < sides; ++k) {
-                Vec3& target = targets_[first + k];
-                if (ring.shape == RingShape::follow) {
-                    const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
-                    from_joint(first + k, end.joint);
-                    continue;
-                }
-                if (ring.shape == RingShape::pit &&
-                    has_groove(d_.points, n_.path_end[p][ring.far ? 1 : 0].joint))
-                    continue;
-                if (ring.fit != RingFit::through) {
-                    if (ring.fit == RingFit::held) target = ring.centre + held * (target - ring.centre);
-                    continue;  // as it stands, or with its round end
-                }
-                freedom_[first + k].axis = freedom_[first + k].lack = ring.tangent.cast<float>();
-                freedom_[first + k].in_plane = ring.shape != RingShape::pit;
-                freedom_[first + k].gain = gain;
-                freedom_[first + k].steps = fit_steps;
-                // A smooth ring through the points of a circle runs inside it between them: half of that is
-                // given back.
-                if (tube) target = ring.centre + wider * (target - ring.centre);
-            }
-            if (!tube) continue;
-            const bool is_first = i == s.first[p], is_last = i + 1 == s.first[p + 1];
-            const bool before = !is_first && tapers(s.stations[i - 1], ring),
-                       after = !is_last && tapers(ring, s.stations[i + 1]);
-            for (std::uint32_t v = first; v < first + sides; ++v) {
-                freedom_[v].before = is_first ? tip(p, 0) : before ? v - sides : no_vertex;
-                freedom_[v].after = is_last ? tip(p, 1) : after ? v + sides : no_vertex;
-            }
+            path_ring(p, i, tube);
+            if (tube) along_tapers(p, i);
         }
-        const auto nodes = n_.nodes(p);
-        for (int end = 0; end < 2; ++end) {
-            const std::uint32_t pole = b_.path_pole[p][end];
-            if (pole == no_vertex) continue;
-            const std::int32_t other = end == 0 ? nodes[1] : nodes[nodes.size() - 2];
-            const PathEnd& far = n_.path_end[p][1 - end];
-            if (far.at_joint() && nodes.size() == 2)
-                from_joint(pole, far.joint);
-            else
-                from(pole, d_.skeleton.position[other], sides);
-        }
-        round_ends(p, held);
+        const double held =
+            ring_fit_radius(d_.refinement.path_sides[p]) / ring_limit_radius(d_.refinement.path_sides[p]);
+        const std::array<bool, 2> round = fit_round_ends(d_, b_, p, held, targets_);
+        for (int end = 0; end < 2; ++end)
+            if (b_.path_pole[p][end] != no_vertex && !round[end]) path_pole(p, end);
     }
-
-    /// The ring that is i-th from an end of a path.
-    const Station& ring_from(std::int32_t p, int side, std::int32_t i) const {
-        const Stations& s = d_.stations;
-        return s.stations[side == 0 ? s.first[p] + i : s.first[p + 1] - 1 - i];
-    }
-    std::int32_t ring_count(std::int32_t p) const { return d_.stations.first[p + 1] - d_.stations.first[p]; }
-
-    /// A round end of a path: where it stands, and its profile as placed and as fitted.
-    struct RoundEnd {
-        Vec3 centre, outward;
-        double radius = 1, width = 1;  // the radius, and the half extent that stands for it in a ring
-        double sine = 0;               // of the cone's slope, see fit_round_end
-        std::vector<ProfileRow> placed, fitted;  // the pole first; empty if the end is not round
-        std::int32_t rings() const { return static_cast<std::int32_t>(placed.size()) - 1; }
-    };
-    RoundEnd find_round_end(std::int32_t p, int side) const {
-        RoundEnd end;
-        const Plain& s = d_.skeleton;
-        const auto nodes = n_.nodes(p);
-        const std::int32_t leaf = side == 0 ? nodes.front() : nodes.back();
-        if (b_.path_pole[p][side] == no_vertex || s.cap[leaf] != Cap::round) return end;
-        std::int32_t rings = 0;
-        while (rings < ring_count(p) && ring_from(p, side, rings).fit == RingFit::cap &&
-               ring_from(p, side, rings).node == leaf)
-            ++rings;
-        if (rings == 0) return end;
-        const std::int32_t other = side == 0 ? nodes[1] : nodes[nodes.size() - 2];
-        const Vec3 along = s.position[leaf] - s.position[other];
-        end.centre = s.position[leaf];
-        end.outward = along.normalized();
-        const auto width = [&](std::int32_t node) {
-            return s.form(node) ? s.form(node)->half.x() : s.radius[node];
-        };
-        end.radius = s.radius[leaf];
-        end.width = width(leaf);
-        const double narrowing = (width(other) / end.width - 1) * end.radius / along.norm();
-        if (along.norm() > 0) end.sine = std::clamp(narrowing, -0.9, 0.9);
-        end.placed.push_back({1, 0});
-        for (std::int32_t i = 0; i < rings; ++i)
-            end.placed.push_back(row_of(end, ring_from(p, side, i).centre, ring_from(p, side, i).half.x()));
-        end.fitted = end.placed;
-        return end;
-    }
-    static ProfileRow row_of(const RoundEnd& end, const Vec3& centre, double half) {
-        return {(centre - end.centre).dot(end.outward) / end.radius, half / end.width};
-    }
-
-    /// The first two rings below a round end; some of them may be those of the other end, and where there is
-    /// none the cone goes on.
-    void fit_end(std::int32_t p, int side, RoundEnd& end, const RoundEnd& other) const {
-        const std::int32_t rings = end.rings(), count = ring_count(p);
-        if (rings < 1 || rings > static_cast<std::int32_t>(most_round_rings)) return;
-        ProfileRow below[2];
-        for (std::int32_t i = 0; i < 2; ++i) {
-            const ProfileRow& above = i == 0 ? end.placed[rings] : below[0];
-            below[i] = {above.height - std::sqrt(1 - end.sine * end.sine), above.radius + end.sine};
-            if (rings + i >= count) continue;
-            const Station& ring = ring_from(p, side, rings + i);
-            const std::int32_t in_other = count - (rings + i);  // counted from the other pole
-            if (in_other <= other.rings()) {
-                const ProfileRow& row = other.fitted[in_other];
-                below[i] = row_of(end, other.centre + row.height * other.radius * other.outward,
-                                  row.radius * other.width);
-            } else if (ring.shape == RingShape::circle || ring.shape == RingShape::node) {
-                below[i] = row_of(end, ring.centre, ring.half.x());
-            }
-        }
-        end.fitted = end.placed;
-        fit_round_end(end.sine, end.fitted, below);
-    }
-
-    /// Puts the poles and rings of round ends where their control points belong.
-    /// @param held  what widens a ring so that its smooth curve has the radius
-    void round_ends(std::int32_t p, double held) {
-        RoundEnd ends[2] = {find_round_end(p, 0), find_round_end(p, 1)};
-        const bool meet = ends[0].rings() > 0 && ends[1].rings() > 0 &&
-                          ring_count(p) - ends[0].rings() - ends[1].rings() < 2;
-        for (int pass = 0; pass < (meet ? 4 : 1); ++pass)
-            for (int side = 0; side < 2; ++side) {
-                const std::vector<ProfileRow> before = ends[side].fitted;
-                fit_end(p, side, ends[side], ends[1 - side]);
-                if (pass > 0) meet_halfway(before, ends[side].fitted);
-            }
-        for (int side = 0; side < 2; ++side)
-            if (ends[side].rings() > 0) move_end(p, side, held, ends[side]);
-    }
-    /// Ends that meet would else overshoot each other in turn.
-    static void meet_halfway(const std::vector<ProfileRow>& before, std::vector<ProfileRow>& fitted) {
-        for (std::size_t i = 0; i < fitted.size(); ++i)
-            fitted[i] = {(before[i].height + fitted[i].height) / 2,
-                         (before[i].radius + fitted[i].radius) / 2};
-    }
-    void move_end(std::int32_t p, int side, double held, const RoundEnd& end) {
+    void path_ring(std::int32_t p, std::int32_t i, bool tube) {
+        const Station& ring = d_.stations.stations[i];
+        const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
+        if (ring.shape == RingShape::pit && has_groove(d_.points, end.joint)) return;
         const std::int32_t sides = d_.refinement.path_sides[p];
-        const auto put = [&](std::uint32_t vertex, std::int32_t i) {
-            const ProfileRow &from = end.placed[i], &to = end.fitted[i];
-            const Vec3 height = end.radius * end.outward, middle = end.centre + from.height * height;
-            const double wider = i == 0 ? 1 : from.radius > 0 ? held * to.radius / from.radius : held;
-            targets_[vertex] =
-                middle + (to.height - from.height) * height + wider * (targets_[vertex] - middle);
-        };
-        const std::uint32_t pole = b_.path_pole[p][side];
-        put(pole, 0);
-        freedom_[pole] = {};
-        for (std::int32_t i = 0; i < end.rings(); ++i) {
-            const std::int32_t ring = side == 0 ? i : ring_count(p) - 1 - i;
-            for (std::int32_t k = 0; k < sides; ++k) put(b_.path_vertex[p] + ring * sides + k, i + 1);
+        const double wider = ring_fit_radius(sides), held = wider / ring_limit_radius(sides);
+        const std::uint32_t first = first_of(p, i);
+        for (std::uint32_t v = first; v < first + sides; ++v) {
+            if (ring.shape == RingShape::follow) {
+                from_joint(v, end.joint);
+                continue;
+            }
+            Vec3& target = targets_[v];
+            if (ring.fit != RingFit::through) {
+                if (ring.fit == RingFit::held) target = ring.centre + held * (target - ring.centre);
+                continue;  // as it stands, or with its round end
+            }
+            Freedom& freedom = freedom_[v];
+            freedom.axis = freedom.lack = ring.tangent.cast<float>();
+            freedom.in_plane = ring.shape != RingShape::pit;
+            freedom.gain = gain_for(sides);
+            freedom.steps = fit_steps;
+            // A smooth ring through the points of a circle runs inside it between them: half of that is
+            // given back.
+            if (tube) target = ring.centre + wider * (target - ring.centre);
         }
+    }
+    void along_tapers(std::int32_t p, std::int32_t i) {
+        const Stations& s = d_.stations;
+        const std::int32_t sides = d_.refinement.path_sides[p];
+        const Station& ring = s.stations[i];
+        const bool is_first = i == s.first[p], is_last = i + 1 == s.first[p + 1];
+        const bool before = !is_first && tapers(s.stations[i - 1], ring),
+                   after = !is_last && tapers(ring, s.stations[i + 1]);
+        const std::uint32_t first = first_of(p, i);
+        for (std::uint32_t v = first; v < first + sides; ++v) {
+            freedom_[v].before = is_first ? tip(p, 0) : before ? v - sides : no_vertex;
+            freedom_[v].after = is_last ? tip(p, 1) : after ? v + sides : no_vertex;
+        }
+    }
+    void path_pole(std::int32_t p, int end) {
+        const auto nodes = n_.nodes(p);
+        const std::int32_t other = end == 0 ? nodes[1] : nodes[nodes.size() - 2];
+        const PathEnd& far = n_.path_end[p][1 - end];
+        const std::uint32_t pole = b_.path_pole[p][end];
+        if (far.at_joint() && nodes.size() == 2)
+            from_joint(pole, far.joint);
+        else
+            from(pole, d_.skeleton.position[other], d_.refinement.path_sides[p]);
+    }
+    std::uint32_t first_of(std::int32_t p, std::int32_t station) const {
+        return b_.path_vertex[p] + (station - d_.stations.first[p]) * d_.refinement.path_sides[p];
     }
 
     static bool tapers(const Station& ring, const Station& next) {
