@@ -51,12 +51,6 @@ TEST(CellRoom, LetsOneGoAsFarAsTheWall) {
     EXPECT_EQ(star.room.way_out({2, 0, 0}, Vec3::UnitZ(), 5), 5);
 }
 
-struct Ball {
-    std::int32_t parent;
-    Vec3 position;
-    double radius;
-};
-
 /// Tubes that are too wide for their cells, one beside the other.
 TEST(CellRoom, KeepsTubesOfNarrowForksApart) {
     const std::vector<std::vector<Ball>> forks{
@@ -81,8 +75,7 @@ TEST(CellRoom, KeepsTubesOfNarrowForksApart) {
          {1, {0.75, 4.25, -0.25}, 1},
          {1, {-1, 1.5, 1.75}, 1}}};
     for (const std::vector<Ball>& fork : forks) {
-        Document d;
-        for (const Ball& ball : fork) add(d, ball.parent, ball.position, ball.radius);
+        const Document d = tree(fork);
         for (const bool repair : {false, true}) {
             const auto skin = sinew::skin(d, {.repair = repair});
             ASSERT_TRUE(skin);

@@ -55,6 +55,29 @@ TEST(Place, RingsOfConesAndBendsLieOnTheRoundCones) {
     EXPECT_LT(deviation.max_abs, 0.01);
 }
 
+/// Joints on bones too short for both: rings that follow their surfaces stay where the joints do.
+TEST(Place, RingsThatFollowAJointStayInItsPartOfTheBone) {
+    const std::vector<std::vector<Ball>> trees{{{-1, {0.01, -0.75, 0.75}, 0.75},
+                                                {0, {0, 0, 0}, 1},
+                                                {1, {-0.355, 1.03, -1.28}, 1.37},
+                                                {2, {-0.827, 1.07, -2.47}, 1.11},
+                                                {2, {-2.5, 1.35, -1.35}, 0.651},
+                                                {1, {0.572, 1.63, 0.33}, 0.745},
+                                                {2, {-0.267, 3.03, -0.789}, 0.42}},
+                                               {{-1, {2.78, -0.55, 0.96}, 0.94},
+                                                {0, {0.56, 0.14, 0.42}, 0.88},
+                                                {1, {0, 0, 0}, 1},
+                                                {2, {-0.29, -0.07, -0.22}, 1.06},
+                                                {3, {-0.58, 0.12, -0.51}, 1.06},
+                                                {4, {-0.97, 0.38, -0.9}, 1.06},
+                                                {2, {-1.24, -0.78, 0.73}, 0.12},
+                                                {6, {-1.47, -1.02, 1.2}, 0.36},
+                                                {4, {-1.71, 0.4, 0.25}, 0.36},
+                                                {3, {0.18, -1.26, -0.93}, 0.22}}};
+    for (const std::vector<Ball>& balls : trees)
+        EXPECT_TRUE(find_self_intersections(placed(Stages(tree(balls))))->empty());
+}
+
 TEST(Place, RingsOfTightBendsDoNotCross) {
     for (const double angle : {1.2, 1.8, 2.4, 2.8}) {  // bones no longer than their balls are thick
         const Vec3 on(std::cos(angle), std::sin(angle), 0);

@@ -33,6 +33,18 @@ inline std::int32_t add(Document& document, std::int32_t parent, const Vec3& pos
     return static_cast<std::int32_t>(node.id);
 }
 
+struct Ball {
+    std::int32_t parent;
+    Vec3 position;
+    double radius;
+};
+
+inline Document tree(std::span<const Ball> balls) {
+    Document d;
+    for (const Ball& ball : balls) add(d, ball.parent, ball.position, ball.radius);
+    return d;
+}
+
 /// Balls at the given places, one after the other.
 inline Document chain(std::span<const Vec3> places, double radius) {
     Document d;

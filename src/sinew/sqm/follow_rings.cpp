@@ -38,7 +38,7 @@ class Follower {
             const Vec3 middle = 0.5 * (side.points[j] + (target - side.centre));
             const double distance = middle.norm();
             if (!(distance > 0)) continue;
-            const double exit = exit_of_joint(w_.n, w_.points, side.joint, side.centre, middle / distance);
+            const double exit = reach_of_joint(w_.n, w_.points, side.joint, side.centre, middle / distance);
             worst =
                 std::max(worst, (exit - distance) * (ball ? r / exit : 1));  // of an ellipsoid as of a ball
         }

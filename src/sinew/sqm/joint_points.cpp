@@ -57,11 +57,7 @@ class Caster {
 
   private:
     Vec3 along(const Vec3& ray) const {
-        double distance = exit_of_joint(n_, points_, joint_, centre_, ray);
-        for (std::int32_t slot = n_.slot_first[joint_]; slot < n_.slot_first[joint_ + 1]; ++slot) {
-            const double along = ray.dot(points_.cone[slot].axis);
-            if (along > 0 && distance * along > points_.limit[slot]) distance = points_.limit[slot] / along;
-        }
+        const double distance = reach_of_joint(n_, points_, joint_, centre_, ray);
         double way = distance;
         for (const CellRoom& room : rooms_) way = std::min(way, room.way_out(centre_, ray, distance));
         return centre_ + way * ray;
@@ -159,6 +155,16 @@ JointPoints make_joint_points(const Plain& skeleton, const Network& n, const Pol
         for (std::int32_t j = range.begin(); j < range.end(); ++j) caster.cast(j);
     });
     return points;
+}
+
+double reach_of_joint(const Network& n, const JointPoints& points, std::int32_t joint, const Vec3& centre,
+                      const Vec3& ray) {
+    double distance = exit_of_joint(n, points, joint, centre, ray);
+    for (std::int32_t slot = n.slot_first[joint]; slot < n.slot_first[joint + 1]; ++slot) {
+        const double along = ray.dot(points.cone[slot].axis);
+        if (along > 0 && distance * along > points.limit[slot]) distance = points.limit[slot] / along;
+    }
+    return distance;
 }
 
 void append_ring(const Polyhedra& p, const Refinement& r, const JointPoints& points, std::int32_t joint,

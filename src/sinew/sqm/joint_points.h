@@ -67,7 +67,10 @@ std::int32_t next_node(const Network& network, std::int32_t slot);
 /// Where the ray from a joint's centre leaves its surface: the distance.
 double exit_of_joint(const Network& network, const JointPoints& points, std::int32_t joint,
                      const Vec3& centre, const Vec3& ray);
-/// The same before any dent was pressed into it.
+/// The same, but no further along any bone than the joint may reach.
+double reach_of_joint(const Network& network, const JointPoints& points, std::int32_t joint,
+                      const Vec3& centre, const Vec3& ray);
+/// The exit before any dent was pressed into it.
 double exit_without_dents(const Network& network, const JointPoints& points, std::int32_t joint,
                           const Vec3& ray);
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "sinew/base/portable_math.h"
+#include "sinew/sqm/bend_ring.h"
 #include "sinew/sqm/cell_room.h"
 #include "sinew/sqm/dent_rings.h"
 #include "sinew/sqm/features.h"
@@ -58,7 +59,8 @@ class Placer {
 
     /// The vertices of a ring that stands by itself; column k is seen at angle(k) from ring.x.
     template <class Angle>
-    void ring_vertices(const Station& ring, std::int32_t p, std::span<Vec3f> to, Angle angle) const {
+    void ring_vertices(std::int32_t i, std::int32_t p, std::span<Vec3f> to, Angle angle) const {
+        const Station& ring = d_.stations.stations[i];
         const Vec3 y = ring.tangent.cross(ring.x);
         const auto put = [&](auto from_ray) {
             for (std::size_t k = 0; k < to.size(); ++k) {
@@ -70,18 +72,33 @@ class Placer {
             for (std::size_t k = 0; k < to.size(); ++k)
                 to[k] = on_outline(ring, p, static_cast<std::int32_t>(k)).cast<float>();
         } else if (ring.shape == RingShape::node && options_.ideal) {
-            const ConeFrom before = cone_from(ring, ring.before), after = cone_from(ring, ring.after);
-            const double before_room = room_of(p, ring.before, before),
-                         after_room = room_of(p, ring.after, after);
-            put([&](const Vec3& ray) -> Vec3 {
-                const double exit = std::max(before.exit(ray), after.exit(ray));
-                const double most = std::min(within(before_room, ray.dot(before.axis)),
-                                             within(after_room, ray.dot(after.axis)));
-                return ring.centre + std::min(exit, most) * ray;
-            });
+            const BendRing bend = bend_ring(i, p);
+            put([&](const Vec3& ray) { return bend.at(ray); });
         } else {
             put([&](const Vec3& ray) -> Vec3 { return ring.centre + widened(ring, ellipse(ring, ray)); });
         }
+    }
+    BendRing bend_ring(std::int32_t i, std::int32_t p) const {
+        const Station& ring = d_.stations.stations[i];
+        const ConeFrom before = cone_from(ring, ring.before), after = cone_from(ring, ring.after);
+        BendRing bend(ring, before, after);
+        bend.give_room(room_of(p, ring.before, before), room_of(p, ring.after, after));
+        for (const bool back : {true, false})
+            if (const Station* next = next_bend(i, p, back)) bend.keep_from(*next, back);
+        return bend;
+    }
+    /// The ring at the next node of a path, if there is one.
+    const Station* next_bend(std::int32_t i, std::int32_t p, bool back) const {
+        const Stations& s = d_.stations;
+        const std::int32_t first = s.first[p], count = s.first[p + 1] - first, step = back ? count - 1 : 1;
+        const std::int32_t node = back ? s.stations[i].before : s.stations[i].after;
+        std::int32_t at = i - first;
+        for (std::int32_t tries = 0; tries < std::min(count, 8); ++tries) {
+            at = (at + step) % count;
+            const Station& next = s.stations[first + at];
+            if (next.shape == RingShape::node && next.node == node) return &next;
+        }
+        return nullptr;
     }
     ConeFrom cone_from(const Station& ring, std::int32_t other) const {
         const Plain& s = d_.skeleton;
@@ -95,9 +112,6 @@ class Placer {
         const int end = other == nodes.front() ? 0 : 1;
         if (n_.path_end[p][end].at_joint()) return 0.5 * bone.length;
         return 0.9 * std::clamp(bone.side_end(), 0.1 * bone.length, bone.length);
-    }
-    static double within(double room, double lean) {
-        return lean > 0 ? room / lean : std::numeric_limits<double>::infinity();
     }
     static Vec3 ellipse(const Station& ring, const Vec3& ray) {
         if (ring.half.x() == ring.half.y()) return ring.half.x() * ray;
@@ -142,7 +156,7 @@ class Placer {
             origin(vertex, sides, ring);
             if (ring.shape == RingShape::follow || ring.shape == RingShape::pit) continue;
             ring_vertices(
-                ring, p, {&out_.mesh.positions[vertex], static_cast<std::size_t>(sides)}, [&](std::size_t k) {
+                i, p, {&out_.mesh.positions[vertex], static_cast<std::size_t>(sides)}, [&](std::size_t k) {
                     return angle[k] + ring.turn + ring.near_share * near[k] + ring.far_share * far[k];
                 });
         }
@@ -223,7 +237,7 @@ class Placer {
         const GreatCircle way(to_ball_space(body, a / la), to_ball_space(body, b / lb));
         if (!(way.angle > 1e-6 && way.angle < 3.1)) return at_joint + share * (on_ring - at_joint);
         const Vec3 ray = from_ball_space(body, way.at(share));
-        return centre + exit_of_joint(n_, d_.points, joint, centre, ray) * ray;
+        return centre + reach_of_joint(n_, d_.points, joint, centre, ray) * ray;
     }
 
     void poles(std::int32_t p) {
