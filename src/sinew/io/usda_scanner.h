@@ -16,7 +16,7 @@ enum class UsdaToken : std::uint8_t {
     word,    ///< a name with its namespaces, such as xformOp:translate or points.timeSamples; None, true
     number,  ///< also inf and nan
     text,    ///< a string, without its quotes
-    other,   ///< <a path> or @an asset@
+    other,   ///< a path in angle brackets, or an asset between at signs
     mark,    ///< one character: ( ) [ ] { } = : , ;
 };
 

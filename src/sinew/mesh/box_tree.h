@@ -32,9 +32,9 @@ struct Box {
     }
 };
 
-/// Level 0 holds the boxes themselves, in the order `items`; node i of level k + 1 bounds the nodes width i
-/// .. width i + width - 1 of level k, as many as there are. The last level has one node, or none where there
-/// are no boxes.
+/// Level 0 holds the boxes themselves, in the order `items`; node i of level k + 1 bounds `width` nodes of
+/// level k, from node width * i on, or as many as there are. The last level has one node, or none where
+/// there are no boxes.
 struct BoxTree {
     static constexpr std::size_t width = 4;
     std::vector<std::uint32_t> items;  ///< indices of the boxes, near ones together
