@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-constexpr int key_maps = 16, sky_maps = 36;
+constexpr int key_maps = 32, sky_maps = 64;
 
 gl::Vec4f vec4(const Vec3f& v, float w) { return {v.x(), v.y(), v.z(), w}; }
 gl::Vec4f vec4(Colour c) {
