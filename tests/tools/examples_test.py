@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCRIPTS = sorted(p for p in (ROOT / "tools" / "examples").glob("*.py") if p.name not in ("skeleton.py", "types.py"))
+SCRIPTS = sorted(p for p in (ROOT / "tools" / "examples").glob("*.py") if p.name not in ("skeleton.py", "node_types.py"))
 MIRRORED = {"ant", "dragon", "goat", "humanoid", "car", "chair", "skull", "tap"}
 
 
@@ -25,7 +25,7 @@ class Examples(unittest.TestCase):
 
     def test_one_script_makes_all_of_types(self):
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([sys.executable, ROOT / "tools/examples/types.py", folder], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run([sys.executable, ROOT / "tools/examples/node_types.py", folder], check=True, stdout=subprocess.DEVNULL)
             made = {p.name: p.read_text(encoding="utf-8") for p in (pathlib.Path(folder) / "types").iterdir()}
         self.assertEqual(made, {p.name: p.read_text(encoding="utf-8") for p in (ROOT / "examples/types").iterdir()})
 

@@ -5,12 +5,12 @@ from skeleton import Skeleton
 
 def main():
     s = Skeleton(unit="dm", mirrored=True)
-    brain = s.node(None, (0, 0, 0), 1, "braincase", type="ball", scale=[0.78, 0.97, 0.85])
-    s.node(brain, (0.37, -1.12, -0.14), 0.2, "eye socket", type="negative", scale=[1.15, 1])
-    s.node(brain, (0, -1.08, -0.44), 0.085, "nose", type="negative", scale=[0.85, 1.3])
-    palate = s.node(brain, (0, -0.44, -0.84), 0.3, "palate")
-    jaw = s.node(palate, (0, -0.52, -1.12), 0.4, "jaws", scale=[1, 0.85])
-    s.node(jaw, (0, -1.12, -1.12), 0.05, "mouth", type="negative", scale=[4.4, 1])
+    brain = s.node(None, (0, 0, 0), 1, "braincase", type="ball", scale=[0.78, 1.0, 0.84])
+    s.node(brain, (0.35, -1.06, -0.2), 0.22, "eye socket", type="negative", scale=[1.1, 1])
+    face = s.node(brain, (0, -0.56, -0.86), 0.38, "face", scale=[1.1, 0.95])
+    s.node(face, (0, -1.1, -0.82), 0.08, "nose", type="negative", scale=[0.8, 1.5])
+    jaw = s.node(face, (0, -0.6, -1.34), 0.33, "jaws", scale=[1.1, 0.9])
+    s.node(jaw, (0, -1.04, -1.33), 0.05, "mouth", type="negative", scale=[4.2, 1])
     s.save("skull")
 
 
