@@ -1,5 +1,7 @@
 #include "sinew/sqm/joint_surface.h"
 
+#include "sinew/mesh/intersect.h"
+#include "sinew/sqm/skin.h"
 #include "sqm/stages.h"
 
 namespace sinew::sqm {
@@ -52,6 +54,36 @@ TEST(JointSurface, ReachesAtMostAsFarAsTheNextJointDoesNot) {
         EXPECT_GT(reach, 3);
     }
     for (const SlotKind kind : s.points.kind) EXPECT_EQ(kind, SlotKind::cone);
+}
+
+/// Narrow forks whose tubes part beyond the next node, and then turn away.
+TEST(JointSurface, EndsAtTheNextNode) {
+    const std::vector<std::vector<Ball>> forks{// the fork hides the bend
+                                               {{-1, {-3.28, 0.77, -1.22}, 0.94},
+                                                {0, {0, 0, 0}, 1},
+                                                {1, {2.25, 0, 0.97}, 0.8},
+                                                {2, {3.5, 0.09, 0.46}, 0.56},
+                                                {3, {5.15, 0.64, 0}, 0.75},
+                                                {3, {2.25, 0, -0.64}, 0.48}},
+                                               // a twig that is inside the tube beside it at first
+                                               {{-1, {0.69, -0.2, -2.2}, 1},
+                                                {0, {0, 0, 0}, 1},
+                                                {1, {-0.56, 0.3, 1.19}, 1},
+                                                {2, {-0.85, 0.97, 2.44}, 1},
+                                                {1, {0.45, 0.47, 1.24}, 0.07},
+                                                {4, {1.7, 0.84, 3.3}, 0.06}},
+                                               // one leaf inside another
+                                               {{-1, {0, 0, 0}, 2.3},
+                                                {0, {1, 0, -2}, 4},
+                                                {0, {0, 0, 4}, 0.5},
+                                                {0, {0, 0, 5}, 3.5},
+                                                {0, {1, 1, -3}, 3.5}}};
+    for (const std::vector<Ball>& balls : forks) {
+        const Document d = tree(balls);
+        const auto skin = sinew::skin(d);
+        ASSERT_TRUE(skin);
+        EXPECT_TRUE(find_self_intersections(skin->mesh)->empty());
+    }
 }
 
 TEST(JointSurface, OfConesIsTheirUnion) {

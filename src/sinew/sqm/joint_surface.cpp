@@ -52,6 +52,29 @@ void share_bone(const Network& n, std::int32_t path, JointPoints& points) {
     }
 }
 
+/// Whether another bone leaves a joint in the very direction of this one.
+bool is_along_another(const Network& n, const JointPoints& points, std::int32_t joint, std::int32_t slot) {
+    for (std::int32_t other = n.slot_first[joint]; other < n.slot_first[joint + 1]; ++other)
+        if (other != slot && points.cone[slot].axis.dot(points.cone[other].axis) > 0.9999) return true;
+    return false;
+}
+
+/// Where the bones of a narrow fork part beyond the next node, the joint ends before that node: further, it
+/// would be in the way of the ring there and of the bone that turns away from it. It may go over a leaf, but
+/// not to the pole of one that is inside another bone.
+void end_at_next_node(const Network& n, std::int32_t path, JointPoints& points) {
+    for (const PathEnd& end : n.path_end[path]) {
+        if (!end.at_joint() || points.body[end.joint]) continue;
+        const std::int32_t slot = n.slot_first[end.joint] + end.slot;
+        const ConeFrom& cone = points.cone[slot];
+        const bool leaf = n.nodes(path).size() == 2;
+        const bool tube = points.kind[slot] == SlotKind::cone || points.kind[slot] == SlotKind::beam;
+        if (!tube || (leaf && !is_along_another(n, points, end.joint, slot))) continue;
+        const double most = cone.length + (leaf ? 0.9 : -0.3) * cone.far;
+        if (most > cone.near) points.limit[slot] = most;
+    }
+}
+
 SlotKind kind_of(const Plain& s, const Network& n, std::int32_t node, std::int32_t slot) {
     const std::int32_t next = next_node(n, slot);
     if (n.nodes(n.slot_path[slot] / 2).size() == 2) {
@@ -168,7 +191,7 @@ void find_joint_surfaces(const Plain& s, const Network& n, JointPoints& points) 
     });
     tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n.path_count(), 128), [&](const auto& range) {
         for (std::int32_t p = range.begin(); p < range.end(); ++p)
-            if (is_bone_between_joints(n, p)) share_bone(n, p, points);
+            is_bone_between_joints(n, p) ? share_bone(n, p, points) : end_at_next_node(n, p, points);
     });
     if (s.forms.empty()) return;
     for (std::int32_t j = 0; j < n.joint_count(); ++j) {
