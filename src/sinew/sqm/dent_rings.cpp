@@ -11,8 +11,11 @@ namespace sinew::sqm {
 namespace {
 
 constexpr double straight_down = 0.8;  // of the way to the joint's centre: deeper walls do not lead there
-constexpr double widest_floor = 0.7;   // of the way to a cell's border, where the groove goes on beyond it
-constexpr double widest_rim = 0.93;    // the same, of a rim that leaves room for the surface beside it
+constexpr double widest_rim = 0.93;    // of the way to a cell's border: leaves room for the surface beside it
+constexpr double halfway = 0.6;        // the same, where the groove goes on beyond it
+constexpr double nearest_way = 0.3;    // the same, at least
+constexpr double bulge = 0.4;          // of the way from there back to the rim's vertices beside it
+constexpr int rim_samples = 48;        // of the part of a rim that lies in a cell
 
 /// One dent, at one end of a path.
 class DentRings {
@@ -33,7 +36,7 @@ class DentRings {
         const Stations& s = d_.stations;
         const std::int32_t sides = d_.refinement.path_sides[path_];
         const bool crowded = is_crowded();
-        for (std::int32_t k = 0; crowded && k < sides; ++k) room_.push_back(room_towards(way_to(k)));
+        if (crowded) find_ways();
         for (std::int32_t i = s.first[path_]; i < s.first[path_ + 1]; ++i) {
             const Station& ring = s.stations[i];
             if (ring.shape != RingShape::pit) continue;
@@ -46,8 +49,7 @@ class DentRings {
   private:
     /// Whether other dents overlap this one, or others leave no room for its rim.
     bool is_crowded() const {
-        for (std::int32_t other = n_.slot_first[joint_]; other < n_.slot_first[joint_ + 1]; ++other)
-            if (other != slot_ && dents_overlap(d_.skeleton, n_, joint_, slot_, other)) return true;
+        if (merges(d_.skeleton, n_, joint_, slot_)) return true;
         for (const std::uint32_t v : border_) {
             const Vec3 way = (d_.points.position[v] - centre_).normalized();
             const double lean = way.dot(pit_.z);
@@ -85,38 +87,97 @@ class DentRings {
         return over - pit_.half.z() * std::sqrt(std::max(0.0, 1 - share * share)) * pit_.z;
     }
 
-    /// A vertex part of the way from the dent's axis to the border's vertex of its column. Where the rim
-    /// turns down into a groove, subdivision pulls it in from two sides: there it stands a bit outside.
+    /// A vertex part of the way from the dent's axis to the widest of its column.
     Vec3 on_way(std::int32_t k, double share) const {
-        const auto columns = static_cast<std::int32_t>(border_.size());
-        const double room = room_[k];
-        const bool on_rim = share == 1 && room < 1;
-        const bool turns = room_[(k + 1) % columns] == 1 || room_[(k + columns - 1) % columns] == 1;
-        const double widest = room == 1 ? widest_floor : on_rim && turns ? room + 0.25 * (1 - room) : room;
-        const Vec3 ray = ray_towards(way_to(k), share * widest);
-        return centre_ + (on_rim ? surface_of(ray) : depth_of(ray)) * ray;
+        const Vec3 ray = ray_towards(way_[k], share);
+        return centre_ + (share == 1 && !inside_[k] ? surface_of(ray) : depth_of(ray)) * ray;
     }
     Vec3 way_to(std::int32_t k) const { return (d_.points.position[border_[k]] - centre_).normalized(); }
     Vec3 ray_towards(const Vec3& to, double share) const {
         const GreatCircle way(pit_.z, to);
         return way.sine > 1e-9 ? way.at(share) : pit_.z;
     }
-    /// How much of the way to a direction the groove goes: 1 where it goes on beyond that.
-    double room_towards(const Vec3& to) const {
-        constexpr int steps = 40, halvings = 24;
-        const auto in_dent = [&](double share) {
-            const Vec3 ray = ray_towards(to, share);
-            return depth_of(ray) < (1 - 1e-9) * surface_of(ray);
-        };
-        int step = 1;
-        while (step <= steps && in_dent(double(step) / steps)) ++step;
-        if (step > steps) return 1;
-        double inside = double(step - 1) / steps, outside = double(step) / steps;
-        for (int i = 0; i < halvings; ++i) {
-            const double middle = 0.5 * (inside + outside);
-            (in_dent(middle) ? inside : outside) = middle;
+    double angle_to(const Vec3& ray) const {
+        return portable::angle_of(pit_.z.cross(ray).norm(), pit_.z.dot(ray));
+    }
+
+    Vec3 rim_at(double azimuth) const {
+        const auto [sine, cosine] = portable::sine_cosine(azimuth);
+        return rim_towards(n_, d_.points, joint_, pit_, centre_, cosine * pit_.x + sine * pit_.y);
+    }
+
+    /// Columns that end outside of the groove are spread evenly along the part of its rim that lies in the
+    /// cell, so that edges go all along the rim. Between two such runs the others cross it, as the arc does
+    /// that they end in.
+    void find_ways() {
+        const auto columns = static_cast<std::int32_t>(border_.size());
+        inside_.resize(columns), way_.resize(columns);
+        std::int32_t first = -1;  // of a run that ends outside
+        for (std::int32_t k = 0; k < columns; ++k)
+            inside_[k] = in_dent(n_, d_.points, joint_, centre_, d_.points.position[border_[k]]);
+        for (std::int32_t k = 0; k < columns; ++k)
+            if (!inside_[k] && inside_[(k + columns - 1) % columns]) first = k;
+        if (first < 0) {
+            for (std::int32_t k = 0; k < columns; ++k)
+                way_[k] = inside_[k] ? ray_towards(way_to(k), halfway) : rim_of(k);
+            return;
         }
-        return inside;
+        for (std::int32_t k = first; k < first + columns;) {
+            std::int32_t count = 1;
+            while (inside_[(k + count) % columns] == inside_[k % columns]) ++count;
+            if (!inside_[k % columns]) along_rim(k, count);
+            k += count;
+        }
+        for (std::int32_t k = first; k < first + columns;) {
+            std::int32_t count = 1;
+            while (inside_[(k + count) % columns] == inside_[k % columns]) ++count;
+            if (inside_[k % columns]) across_groove(k, count);
+            k += count;
+        }
+    }
+    /// The rim on the way to the border, with room for the surface beyond it.
+    Vec3 rim_of(std::int32_t k) const {
+        const Vec3 to = way_to(k), rim = rim_towards(n_, d_.points, joint_, pit_, centre_, to);
+        return angle_to(rim) < widest_rim * angle_to(to) ? rim : ray_towards(to, widest_rim);
+    }
+    void along_rim(std::int32_t begin, std::int32_t count) {
+        const auto columns = static_cast<std::int32_t>(border_.size());
+        if (count == 1) {
+            way_[begin % columns] = rim_of(begin % columns);
+            return;
+        }
+        const auto azimuth = [&](std::int32_t k) { return angle_round(way_to(k % columns), pit_.x, pit_.y); };
+        const double from = azimuth(begin);
+        double turn = 0;
+        for (std::int32_t k = begin + 1; k < begin + count; ++k)
+            turn += std::remainder(azimuth(k) - azimuth(k - 1), 2 * M_PI);
+        std::vector<Vec3> rim(rim_samples + 1);
+        std::vector<double> length(rim_samples + 1, 0.0);
+        for (int i = 0; i <= rim_samples; ++i) {
+            rim[i] = rim_at(from + turn * i / rim_samples);
+            rim[i] *= surface_of(rim[i]);
+            if (i > 0) length[i] = length[i - 1] + (rim[i] - rim[i - 1]).norm();
+        }
+        int at = 1;
+        for (std::int32_t k = 0; k < count; ++k) {
+            const double wanted = length.back() * (k + 1) / (count + 1);
+            while (at < rim_samples && length[at] < wanted) ++at;
+            const double share = (wanted - length[at - 1]) / (length[at] - length[at - 1]);
+            way_[(begin + k) % columns] = rim_at(from + turn * (at - 1 + share) / rim_samples);
+        }
+    }
+    void across_groove(std::int32_t begin, std::int32_t count) {
+        const auto columns = static_cast<std::int32_t>(border_.size());
+        const std::int32_t before = (begin + columns - 1) % columns, after = (begin + count) % columns;
+        const Vec3 from = bulge * (way_[before] - way_to(before)), to = bulge * (way_[after] - way_to(after));
+        for (std::int32_t i = 0; i < count; ++i) {
+            const std::int32_t k = (begin + i) % columns;
+            const double share = double(i + 1) / (count + 1);
+            const Vec3 border = way_to(k), way = (border + from + share * (to - from)).normalized();
+            const double part = angle_to(way) / angle_to(border);
+            const bool fits = way.dot(border) > pit_.z.dot(border) && part > nearest_way && part < 1;
+            way_[k] = fits ? way : ray_towards(border, halfway);
+        }
     }
 
     const Parts& d_;
@@ -125,7 +186,9 @@ class DentRings {
     const PitShape& pit_;
     const Vec3 centre_;
     std::vector<std::uint32_t> border_;  ///< the joint's vertex that each column ends in
-    std::vector<double> room_;           ///< of each column, where dents are crowded
+    // Where dents are crowded:
+    std::vector<char> inside_;  ///< column -> whether it ends in the groove
+    std::vector<Vec3> way_;     ///< column -> the ray to its widest vertex
     Bridge& out_;
 };
 

@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "sinew/base/portable_math.h"
 #include "sinew/extend/frames.h"
 
 namespace sinew::sqm {
 namespace {
 
 constexpr double nearest_to_centre = 0.02;  // of the surface's distance: no dent reaches further
+constexpr double least_dent = 1e-5;         // the same: what is less deep lies on the surface
+constexpr double touching = 1e-3;           // of a dent's size
 constexpr double whole_groove = 0.2;  // overlap, of the narrower dent's reach, from which a groove is whole
 constexpr double groove_step = 0.1;   // between the dents of a groove, of the narrower one's half width
 constexpr int longest_groove = 20;    // in such steps
@@ -28,11 +32,7 @@ PitShape pit_of(const Plain& s, const Vec3& centre, std::int32_t leaf) {
 }
 
 /// From the middle to the border, in a unit direction.
-double reach(const PitShape& pit, const Vec3& way) {
-    const Vec3 local(way.dot(pit.x) / pit.half.x(), way.dot(pit.y) / pit.half.y(),
-                     way.dot(pit.z) / pit.half.z());
-    return 1 / local.norm();
-}
+double reach(const PitShape& pit, const Vec3& way) { return 1 / pit.local(way).norm(); }
 
 /// How much of a groove two dents make: 0 if they do not overlap, 1 if it is whole.
 double overlap(const PitShape& a, const PitShape& b) {
@@ -86,9 +86,6 @@ void add_groove(const Network& n, JointPoints& points, std::int32_t joint, const
 }  // namespace
 
 double PitShape::press(const Vec3& centre, const Vec3& ray, double distance) const {
-    const auto local = [&](const Vec3& v) {
-        return Vec3(v.dot(x) / half.x(), v.dot(y) / half.y(), v.dot(z) / half.z());
-    };
     const Vec3 o = local(centre - middle), d = local(ray);
     if ((o + distance * d).squaredNorm() >= 1) return distance;
     const double a = d.squaredNorm(), b = o.dot(d), c = o.squaredNorm() - 1, root = b * b - a * c;
@@ -101,6 +98,12 @@ bool dents_overlap(const Plain& s, const Network& n, std::int32_t joint, std::in
     if (s.cap[a] != Cap::pit || s.cap[b] != Cap::pit) return false;
     const Vec3& centre = s.position[n.joint_node[joint]];
     return overlap(pit_of(s, centre, a), pit_of(s, centre, b)) > 0;
+}
+
+bool merges(const Plain& s, const Network& n, std::int32_t joint, std::int32_t slot) {
+    for (std::int32_t other = n.slot_first[joint]; other < n.slot_first[joint + 1]; ++other)
+        if (other != slot && dents_overlap(s, n, joint, slot, other)) return true;
+    return false;
 }
 
 void find_dents(const Plain& s, const Network& n, JointPoints& points) {
@@ -143,6 +146,60 @@ double press_dents(const JointPoints& points, std::int32_t joint, const Vec3& ce
         }
     }
     return std::max(distance, least);
+}
+
+bool in_dent(const Network& n, const JointPoints& points, std::int32_t joint, const Vec3& centre,
+             const Vec3& place) {
+    const double distance = (place - centre).norm();
+    return distance < (1 - least_dent) * exit_without_dents(n, points, joint, (place - centre) / distance);
+}
+
+bool leads_into_dent(const Network& n, const JointPoints& points, std::int32_t joint, const Vec3& centre,
+                     const Vec3& ray) {
+    const double surface = exit_without_dents(n, points, joint, ray);
+    return press_dents(points, joint, centre, ray, surface) < (1 - least_dent) * surface;
+}
+
+Vec3 rim_towards(const Network& n, const JointPoints& points, std::int32_t joint, const PitShape& pit,
+                 const Vec3& centre, const Vec3& ray) {
+    constexpr double behind = 3;  // radians
+    constexpr int halvings = 30;
+    const Vec3 side = (ray - ray.dot(pit.z) * pit.z).normalized();
+    const auto at = [&](double angle) -> Vec3 {
+        const auto [sine, cosine] = portable::sine_cosine(angle);
+        return cosine * pit.z + sine * side;
+    };
+    const double step = portable::angle_of(pit.half.head<2>().minCoeff(), (pit.middle - centre).norm()) / 4;
+    double inside = 0, outside = step;
+    while (outside < behind && leads_into_dent(n, points, joint, centre, at(outside)))
+        inside = outside, outside += step;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (inside + outside);
+        (leads_into_dent(n, points, joint, centre, at(middle)) ? inside : outside) = middle;
+    }
+    return at(outside);
+}
+
+DentWall nearest_wall(const JointPoints& points, std::int32_t joint, const Vec3& place) {
+    DentWall wall{Vec3::UnitZ()};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::int32_t i = points.pit_first[joint]; i < points.pit_first[joint + 1]; ++i) {
+        const PitShape& pit = points.pits[i];
+        const Vec3 local = pit.local(place - pit.middle);
+        if (const double off = std::abs(local.norm() - 1); off < nearest) {
+            nearest = off;
+            wall.normal = local.x() / pit.half.x() * pit.x + local.y() / pit.half.y() * pit.y +
+                          local.z() / pit.half.z() * pit.z;
+        }
+    }
+    wall.normal = -wall.normal.normalized();
+    wall.touches = nearest < touching;
+    return wall;
+}
+
+bool on_rim(const Network& n, const JointPoints& points, std::int32_t joint, const Vec3& centre,
+            const Vec3& place) {
+    return !in_dent(n, points, joint, centre, place) && nearest_wall(points, joint, place).touches;
 }
 
 }  // namespace sinew::sqm

@@ -18,6 +18,9 @@ bool dents_overlap(const Plain& skeleton, const Network& network, std::int32_t j
 /// Whether a joint has any.
 bool has_dents(const JointPoints& points, std::int32_t joint);
 
+/// Whether the dent of a slot does so with any other.
+bool merges(const Plain& skeleton, const Network& network, std::int32_t joint, std::int32_t slot);
+
 /// Whether any dents of a joint become a groove.
 bool has_groove(const JointPoints& points, std::int32_t joint);
 
@@ -25,5 +28,26 @@ bool has_groove(const JointPoints& points, std::int32_t joint);
 /// dents is taken away: the distance. Never quite the centre itself.
 double press_dents(const JointPoints& points, std::int32_t joint, const Vec3& centre, const Vec3& ray,
                    double distance);
+
+/// Whether a place on a joint's surface is on the wall or the floor of a dent. A rim is outside.
+bool in_dent(const Network& network, const JointPoints& points, std::int32_t joint, const Vec3& centre,
+             const Vec3& place);
+
+/// The same of where a ray from the joint's centre meets its surface.
+bool leads_into_dent(const Network& network, const JointPoints& points, std::int32_t joint,
+                     const Vec3& centre, const Vec3& ray);
+
+/// The ray to where the dents end first, from the axis of one of them towards a ray or beyond it.
+Vec3 rim_towards(const Network& network, const JointPoints& points, std::int32_t joint, const PitShape& pit,
+                 const Vec3& centre, const Vec3& ray);
+
+/// The wall of a joint's dents next to a place on its surface.
+struct DentWall {
+    Vec3 normal;           ///< out of the solid
+    bool touches = false;  ///< the place is on it, or on its rim
+};
+bool on_rim(const Network& network, const JointPoints& points, std::int32_t joint, const Vec3& centre,
+            const Vec3& place);
+DentWall nearest_wall(const JointPoints& points, std::int32_t joint, const Vec3& place);
 
 }  // namespace sinew::sqm

@@ -9,7 +9,7 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr float pit_rings[] = {1.0f, 0.8f, 0.45f};  // widths of the rings down a dent
+constexpr float pit_rings[] = {1.0f, 0.94f, 0.77f, 0.42f};  // widths of the rings down a dent
 
 /// Rings of a round end: from where the cone touches the ball to just before the pole.
 void add_round_end(PathWork& w, std::int32_t leaf, bool at_end) {

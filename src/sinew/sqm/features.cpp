@@ -1,10 +1,14 @@
 #include "sinew/sqm/features.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "sinew/sqm/dents.h"
 
 namespace sinew::sqm {
 namespace {
 
+constexpr float rim_sharpness = 1.5f;  // of grooves: less keeps bumps, more makes an edge of it
 constexpr auto infinite = static_cast<float>(infinitely_sharp);
 
 class FeatureWriter {
@@ -76,7 +80,10 @@ class FeatureWriter {
 
     void ring_features(std::int32_t p, std::int32_t i, const Station& ring) {
         const std::int32_t n = sides(p);
-        for (std::int32_t k = 0; k < n; ++k) crease(vertex(p, i, k), vertex(p, i, k + 1), ring.crease);
+        if (ring.shape == RingShape::pit && in_groove(p, ring))
+            rim_of_groove(p, i, ring);
+        else
+            for (std::int32_t k = 0; k < n; ++k) crease(vertex(p, i, k), vertex(p, i, k + 1), ring.crease);
         if (ring.round) {
             Circle circle{
                 ring.centre.cast<float>(), ring.tangent.cast<float>(), static_cast<float>(ring.half.x()), {}};
@@ -87,6 +94,35 @@ class FeatureWriter {
         if (ring.corners && d_.stations.corner[p] >= 0)
             for (int c = 0; c < 4; ++c)
                 out_.corners.push_back(vertex(p, i, corner_column(d_.stations.corner[p], c, n)));
+    }
+    bool in_groove(std::int32_t p, const Station& ring) const {
+        const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
+        return merges(d_.skeleton, n_, end.joint, n_.slot_first[end.joint] + end.slot);
+    }
+    /// The rim of a groove runs along the rings of its dents and from one to the next over the border between
+    /// their cells, where faces lie to it otherwise than elsewhere: a crease makes it one smooth line.
+    void rim_of_groove(std::int32_t p, std::int32_t i, const Station& ring) {
+        if (ring.share != 1) return;
+        const int end = ring.far ? 1 : 0;
+        const std::int32_t joint = n_.path_end[p][end].joint;
+        const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
+        const auto rests = [&](std::uint32_t v) {
+            return on_rim(n_, d_.points, joint, centre, b_.mesh.positions[v].cast<double>());
+        };
+        std::vector<std::uint32_t> border;
+        joint_ring_of_path(d_, p, end, border);
+        const std::int32_t rings = d_.stations.first[p + 1] - d_.stations.first[p], step = ring.far ? 1 : -1;
+        const float sharpness = std::max(ring.crease, rim_sharpness);
+        for (std::int32_t k = 0; k < sides(p); ++k) {
+            if (!rests(vertex(p, i, k))) continue;
+            if (rests(vertex(p, i, k + 1))) crease(vertex(p, i, k), vertex(p, i, k + 1), sharpness);
+            std::uint32_t before = vertex(p, i, k);
+            for (std::int32_t r = i + step; rests(border[k]) && r >= -1 && r <= rings; r += step) {
+                const std::uint32_t v = r < 0 || r == rings ? border[k] : vertex(p, r, k);
+                if (rests(v) && rests(before)) crease(before, v, sharpness);
+                before = v;
+            }
+        }
     }
     void lines(std::int32_t p, std::int32_t i, std::int32_t next, float sharpness) {
         for (int c = 0; c < 4; ++c) {

@@ -15,6 +15,7 @@ namespace sinew::sqm {
 namespace {
 
 constexpr std::uint8_t fit_steps = 8;
+constexpr double steepest_fitted = 0.3;  // cosine of a wall to its ray, in grooves
 
 /// Round cones meet in creases, and faces at joints are of all sizes: a smooth surface that passes through
 /// all points there swells between them. One step makes up for the width that it lacks, and leaves it fair;
@@ -70,9 +71,58 @@ class Fitter {
         freedom_[vertex].gain = gain_for(sides);
         freedom_[vertex].steps = steps;
     }
-    bool in_dent(std::int32_t joint, const Vec3& from_centre) const {
-        const double distance = from_centre.norm();
-        return distance < (1 - 1e-6) * exit_without_dents(n_, d_.points, joint, from_centre / distance);
+    /// A groove's walls are too steep for its points to move along rays: they do along the normals. Its rim
+    /// stays. False for points outside.
+    bool in_groove(std::uint32_t vertex, std::int32_t joint) {
+        if (!has_groove(d_.points, joint)) return false;
+        const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
+        const DentWall wall = nearest_wall(d_.points, joint, targets_[vertex]);
+        if (!in_dent(n_, d_.points, joint, centre, targets_[vertex])) return wall.touches;
+        if (wall.normal.dot((targets_[vertex] - centre).normalized()) < steepest_fitted) return true;
+        Freedom& freedom = freedom_[vertex];
+        freedom.axis = freedom.lack = wall.normal.cast<float>();
+        freedom.gain = gain_for(joint_sides_[joint]);
+        freedom.steps = fit_steps;
+        return true;
+    }
+    /// How much wider a dent's rings are to be made: as those of tubes are, as far as the joint's cell has
+    /// room for its rim.
+    double widening_of_dent(std::int32_t p, const Station& ring) const {
+        constexpr double most = 0.93;  // of the way to the cell's border
+        const Stations& s = d_.stations;
+        const auto sides = static_cast<std::size_t>(d_.refinement.path_sides[p]);
+        std::vector<std::uint32_t> border;
+        joint_ring_of_path(d_, p, ring.far ? 1 : 0, border);
+        std::int32_t rim = s.first[p];
+        while (s.stations[rim].shape != RingShape::pit || s.stations[rim].share < 1) ++rim;
+        const Vec3f* at = &b_.mesh.positions[first_of(p, rim)];
+        double wider = ring_fit_radius(int(sides)) / ring_limit_radius(int(sides));
+        for (std::size_t k = 0; k < sides; ++k) {
+            const double room = (targets_[border[k]] - ring.centre).norm(),
+                         wide = (at[k].cast<double>() - ring.centre).norm();
+            wider = std::min(wider, most * room / wide);
+        }
+        return std::max(1.0, wider);
+    }
+    /// Its points move up and down; the ring as a whole is made wider.
+    void dent_ring(std::int32_t p, std::int32_t i) {
+        const Station& ring = d_.stations.stations[i];
+        const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
+        const bool merged = merges(d_.skeleton, n_, end.joint, n_.slot_first[end.joint] + end.slot);
+        const double wider = merged ? 1 : widening_of_dent(p, ring);
+        const std::int32_t sides = d_.refinement.path_sides[p];
+        const std::uint32_t first = first_of(p, i);
+        for (std::uint32_t v = first; v < first + sides; ++v) {
+            if (merged) {
+                from_joint(v, end.joint);
+                continue;
+            }
+            freedom_[v].axis = freedom_[v].lack = ring.tangent.cast<float>();
+            freedom_[v].gain = gain_for(sides);
+            freedom_[v].steps = fit_steps;
+            const Vec3 out = targets_[v] - ring.centre;
+            targets_[v] += (wider - 1) * (out - out.dot(ring.tangent) * ring.tangent);
+        }
     }
     /// Balls are to be round, and their points are spread evenly, but not beside dents.
     std::uint8_t steps_at(std::int32_t joint) const {
@@ -80,12 +130,11 @@ class Fitter {
         if (!body || body->kind == Form::Kind::blend) return joint_steps(joint_sides_[joint]);
         return has_dents(d_.points, joint) ? 2 : fit_steps;
     }
-    /// Points of a joint move along its rays, but for those in grooves, whose walls are too steep for that.
-    /// On an ellipsoid by what is lacking along its normals: a limit beside the ray may well be on the
-    /// surface.
+    /// Points of a joint move along its rays, but for those in grooves. On an ellipsoid by what is lacking
+    /// along its normals: a limit beside the ray may well be on the surface.
     void from_joint(std::uint32_t vertex, std::int32_t joint) {
         const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
-        if (has_groove(d_.points, joint) && in_dent(joint, targets_[vertex] - centre)) return;
+        if (in_groove(vertex, joint)) return;
         const Form* body = d_.points.body[joint];
         from(vertex, centre, joint_sides_[joint], steps_at(joint));
         if (!body || body->kind != Form::Kind::ball) return;
@@ -121,7 +170,10 @@ class Fitter {
             const Station& ring = s.stations[i];
             const bool tube =
                 ring.shape == RingShape::node || (ring.shape == RingShape::circle && !ring.round);
-            path_ring(p, i, tube);
+            if (ring.shape == RingShape::pit)
+                dent_ring(p, i);
+            else
+                path_ring(p, i, tube);
             if (tube) along_tapers(p, i);
         }
         const double held =
@@ -133,7 +185,6 @@ class Fitter {
     void path_ring(std::int32_t p, std::int32_t i, bool tube) {
         const Station& ring = d_.stations.stations[i];
         const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
-        if (ring.shape == RingShape::pit && has_groove(d_.points, end.joint)) return;
         const std::int32_t sides = d_.refinement.path_sides[p];
         const double wider = ring_fit_radius(sides), held = wider / ring_limit_radius(sides);
         const std::uint32_t first = first_of(p, i);
@@ -149,7 +200,7 @@ class Fitter {
             }
             Freedom& freedom = freedom_[v];
             freedom.axis = freedom.lack = ring.tangent.cast<float>();
-            freedom.in_plane = ring.shape != RingShape::pit;
+            freedom.in_plane = true;
             freedom.gain = gain_for(sides);
             freedom.steps = fit_steps;
             // A smooth ring through the points of a circle runs inside it between them: half of that is

@@ -10,6 +10,7 @@
 
 #include "sinew/base/portable_math.h"
 #include "sinew/sqm/cell_room.h"
+#include "sinew/sqm/dents.h"
 #include "sinew/sqm/joint_surface.h"
 
 namespace sinew::sqm {
@@ -75,12 +76,11 @@ class Caster {
         const std::int32_t slot = cell - p_.cell_first[joint_];
         return slot < n_.degree(joint_) && points_.kind[n_.slot_first[joint_] + slot] == SlotKind::pit;
     }
-    /// Between two dents that overlap, an arc crosses the groove that they make: its points go from beside
-    /// one rim of that, down the wall, over the floor and up to beside the other.
+    /// Between two dents that overlap, an arc crosses the groove that they make: its points go from one rim
+    /// of that down the wall, over the floor and up to the other.
     void gather_in_groove(const CellArc& arc, std::int32_t pieces, Vec3* inner) const {
         if (!is_pit(arc.left) || !is_pit(arc.right)) return;
         constexpr std::int32_t samples = 65;
-        constexpr double beside = 0.2;  // of half the groove's width
         std::array<Vec3, samples + 2> ray;
         ray.front() = p_.vertices[arc.from], ray.back() = p_.vertices[arc.to];
         divide_arc(p_, arc, samples + 1, &ray[1]);
@@ -89,27 +89,30 @@ class Caster {
             return (ray[low] + (at - low) * (ray[low + 1] - ray[low])).normalized();
         };
         const auto in_groove = [&](double at) {
-            const Vec3 cast = from_ball_space(points_.body[joint_], ray_at(at));
-            return exit_of_joint(n_, points_, joint_, centre_, cast) <
-                   (1 - 1e-6) * exit_without_dents(n_, points_, joint_, cast);
+            return leads_into_dent(n_, points_, joint_, centre_,
+                                   from_ball_space(points_.body[joint_], ray_at(at)));
         };
-        std::int32_t first = 1, last = samples;
+        std::int32_t first = 0, last = samples + 1;
         while (first <= samples && !in_groove(first)) ++first;
         while (last > first && !in_groove(last)) --last;
-        if (first < 2 || last >= samples) return;
+        if (first > samples || (first == 0 && last > samples)) return;
         const auto rim = [&](double inside, double outside) {
-            for (int i = 0; i < 20; ++i) {
+            for (int i = 0; i < 30; ++i) {
                 const double middle = 0.5 * (inside + outside);
                 (in_groove(middle) ? inside : outside) = middle;
             }
-            return inside;
+            return outside;
         };
-        const double from = rim(first, first - 1), to = rim(last, last + 1), half = 0.5 * (to - from);
-        inner[0] = ray_at(from - std::min(beside * half, 0.5 * from));
-        inner[pieces - 2] = ray_at(to + std::min(beside * half, 0.5 * (samples + 1 - to)));
-        for (std::int32_t i = 1; i < pieces - 2; ++i) {  // evenly down the wall, over the floor and up again
-            const double cosine = portable::sine_cosine(M_PI * i / (pieces - 2)).cosine;
-            inner[i] = ray_at(0.5 * (from + to) - half * cosine);
+        // An end in the groove, where more than two dents meet, is in the middle of its floor.
+        const double from = first > 0 ? rim(first, first - 1) : 0,
+                     to = last <= samples ? rim(last, last + 1) : samples + 1;
+        const std::int32_t begin = first > 0 ? 0 : -1, end = last <= samples ? pieces - 2 : pieces - 1;
+        const double start = first > 0 ? 0 : 0.5 * M_PI, stop = last <= samples ? M_PI : 0.5 * M_PI;
+        const auto height = [](double angle) { return portable::sine_cosine(angle).cosine; };
+        for (std::int32_t i = 0; i < pieces - 1; ++i) {  // evenly down the wall, over the floor and up again
+            const double angle = start + (stop - start) * (i - begin) / (end - begin);
+            const double share = (height(start) - height(angle)) / (height(start) - height(stop));
+            inner[i] = ray_at(from + share * (to - from));
         }
     }
 

@@ -31,6 +31,10 @@ struct PitShape {
     Vec3 middle, x, y, z;  ///< z outward
     Vec3 half;             ///< half width, half height, depth
 
+    /// A vector where the ellipsoid is the unit ball.
+    Vec3 local(const Vec3& v) const {
+        return {v.dot(x) / half.x(), v.dot(y) / half.y(), v.dot(z) / half.z()};
+    }
     /// Where a ray from the centre of the joint enters the ellipsoid, if it is inside at `distance`.
     double press(const Vec3& centre, const Vec3& ray, double distance) const;
 };

@@ -11,6 +11,7 @@
 #include "sinew/sqm/bend_ring.h"
 #include "sinew/sqm/cell_room.h"
 #include "sinew/sqm/dent_rings.h"
+#include "sinew/sqm/dents.h"
 #include "sinew/sqm/features.h"
 #include "sinew/sqm/fit.h"
 #include "sinew/sqm/path_frame.h"
@@ -224,12 +225,13 @@ class Placer {
                     const std::uint32_t target = to_pole ? out_.path_pole[p][1 - side]
                                                          : out_.path_vertex[p] + (proper - first) * sides + k;
                     set(out_.path_vertex[p] + (i - first) * sides + k,
-                        between(e.joint, position(joint_ring[k]), position(target), s.stations[i].share),
+                        between(e, position(joint_ring[k]), position(target), s.stations[i].share),
                         s.stations[i].node);
                 }
         }
     }
-    Vec3 between(std::int32_t joint, const Vec3& at_joint, const Vec3& on_ring, double share) const {
+    Vec3 between(const PathEnd& end, const Vec3& at_joint, const Vec3& on_ring, double share) const {
+        const std::int32_t joint = end.joint, slot = n_.slot_first[joint] + end.slot;
         const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
         const Vec3 a = at_joint - centre, b = on_ring - centre;
         const double la = a.norm(), lb = b.norm();
@@ -237,7 +239,15 @@ class Placer {
         const GreatCircle way(to_ball_space(body, a / la), to_ball_space(body, b / lb));
         if (!(way.angle > 1e-6 && way.angle < 3.1)) return at_joint + share * (on_ring - at_joint);
         const Vec3 ray = from_ball_space(body, way.at(share));
+        if (d_.points.kind[slot] == SlotKind::pit && has_groove(d_.points, joint) &&
+            on_rim(n_, d_.points, joint, centre, at_joint) && on_rim(n_, d_.points, joint, centre, on_ring))
+            return rim_of(d_.points.pits[d_.points.extra[slot]], joint, centre, ray);
         return centre + reach_of_joint(n_, d_.points, joint, centre, ray) * ray;
+    }
+
+    Vec3 rim_of(const PitShape& pit, std::int32_t joint, const Vec3& centre, const Vec3& towards) const {
+        const Vec3 ray = rim_towards(n_, d_.points, joint, pit, centre, towards);
+        return centre + exit_without_dents(n_, d_.points, joint, ray) * ray;
     }
 
     void poles(std::int32_t p) {

@@ -17,6 +17,7 @@ namespace {
 constexpr double least_separation =
     0.12;  // radians between two directions: tubes closer than that are drawn apart
 constexpr double shortest_arc = 0.12;  // radians; shorter arcs are merged to a point
+constexpr double opposite = 0.9;       // minus the cosine between vertices that are
 constexpr double no_length = 1e-4;     // radians; directions are exact to about that much
 constexpr int most_sides = 6;          // cells round a vertex, so that its valence is at most 12
 
@@ -204,9 +205,26 @@ class MergeShortArcs {
         const std::int32_t u = root(arc.from), v = root(arc.to);
         if (u == v || side_count_[arc.left] < 3 || side_count_[arc.right] < 3) return false;
         if (meet_[u] + meet_[v] - 2 > most_) return false;
+        if (would_close(arc.left, u, v) || would_close(arc.right, u, v)) return false;
         for (std::int32_t c = 0; c < cells_.cell_count(); ++c)  // a cell that has both ends would be pinched
             if (c != arc.left && c != arc.right && touches(c, u) && touches(c, v)) return false;
         return true;
+    }
+    /// Whether merging u and v would leave a cell between two arcs of one great circle, of no width: two
+    /// sides make a lune only from a vertex to the opposite one.
+    bool would_close(std::int32_t cell, std::int32_t u, std::int32_t v) const {
+        if (side_count_[cell] > 3) return false;
+        const Vec3 merged = sum_[u] + sum_[v];
+        for (const CellSide& side : cells_.cell(cell)) {
+            if (gone_[side.arc]) continue;
+            const std::int32_t from = root(cells_.arcs[side.arc].from);
+            const std::int32_t to = root(cells_.arcs[side.arc].to);
+            for (const std::int32_t end : {from, to})
+                if (end != u && end != v &&
+                    merged.dot(sum_[end]) > -opposite * merged.norm() * sum_[end].norm())
+                    return true;
+        }
+        return false;
     }
     void merge(std::int32_t a) {
         const CellArc& arc = cells_.arcs[a];
