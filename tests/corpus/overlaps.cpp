@@ -6,7 +6,9 @@
 /// A pair is excused where two of the (conditioned) skeleton's round cones hold a place where the faces
 /// cross, or a corner of theirs, and overlap there beside their common node: they have none, or the place is
 /// outside its ball. Those that only a corner excuses are counted too ("faces_by_corner"). What is left,
-/// "elsewhere", is the mesher's own.
+/// "elsewhere", is the mesher's own. Folded quads, those with a corner that turns against the face, are
+/// counted alike: where a corner of theirs, or their middle, is in such an overlap; where single precision
+/// cannot resolve them; and elsewhere.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -121,6 +123,37 @@ bool is_rounded(const QuadMesh& mesh, std::uint32_t face) {
     return shortest < 64 * std::numeric_limits<float>::epsilon() * farthest;
 }
 
+bool is_folded(const QuadMesh& mesh, std::uint32_t face) {
+    const auto vertices = mesh.face(face);
+    if (vertices.size() != 4) return false;
+    const auto at = [&](std::size_t k) -> Vec3 { return mesh.positions[vertices[k % 4]].cast<double>(); };
+    const Vec3 area = (at(2) - at(0)).cross(at(3) - at(1));
+    for (std::size_t k = 0; k < 4; ++k)
+        if (!((at(k + 1) - at(k)).cross(at(k + 3) - at(k)).dot(area) > 0)) return true;
+    return false;
+}
+
+struct Folded {
+    int in_overlap = 0, rounded = 0, elsewhere = 0;
+};
+
+Folded find_folded(const QuadMesh& mesh, const Cones& cones) {
+    Folded folded;
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        if (!is_folded(mesh, f)) continue;
+        bool in_overlap = false;
+        Vec3 middle = Vec3::Zero();
+        for (const std::uint32_t v : mesh.face(f)) {
+            const Vec3 corner = mesh.positions[v].cast<double>();
+            in_overlap |= cones.overlap_beside_a_node(corner);
+            middle += corner / 4;
+        }
+        in_overlap |= cones.overlap_beside_a_node(middle);
+        ++(in_overlap ? folded.in_overlap : is_rounded(mesh, f) ? folded.rounded : folded.elsewhere);
+    }
+    return folded;
+}
+
 std::string look_at(const std::string& file) {
     const auto read = read_skeleton(file);
     if (!read) return fmt::format(R"({{"file": "{}", "error": true}})", file);
@@ -132,6 +165,7 @@ std::string look_at(const std::string& file) {
     const auto pairs = find_self_intersections(skin->mesh).value();
     std::set<std::uint32_t> faces, by_corner, rounded, elsewhere;
     const auto overlap = [&](const Vec3& place) { return cones.overlap_beside_a_node(place); };
+    const Folded folded = find_folded(skin->mesh, cones);
     std::size_t unexcused = 0;
     std::string places;
     for (const FacePair& pair : pairs) {
@@ -158,9 +192,9 @@ std::string look_at(const std::string& file) {
                                   pair[1], at[0].x(), at[0].y(), at[0].z());
     }
     return fmt::format(
-        R"({{"file": "{}", "faces": {}, "pairs": {}, "crossing_faces": {}, "faces_by_corner": {}, "rounded_faces": {}, "pairs_elsewhere": {}, "faces_elsewhere": {}, "places": [{}]}})",
+        R"({{"file": "{}", "faces": {}, "pairs": {}, "crossing_faces": {}, "faces_by_corner": {}, "rounded_faces": {}, "pairs_elsewhere": {}, "faces_elsewhere": {}, "folded_in_overlap": {}, "folded_rounded": {}, "folded_elsewhere": {}, "places": [{}]}})",
         file, skin->mesh.face_count(), pairs.size(), faces.size(), by_corner.size(), rounded.size(),
-        unexcused, elsewhere.size(), places);
+        unexcused, elsewhere.size(), folded.in_overlap, folded.rounded, folded.elsewhere, places);
 }
 
 }  // namespace

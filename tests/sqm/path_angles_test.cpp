@@ -45,6 +45,24 @@ TEST(PathAngles, StandEvenlyRoundTheTube) {
         }
 }
 
+TEST(PathAngles, TurnLittleBetweenAJointAndItsFirstRing) {
+    property::Random random(21);
+    double most = 0;  // that the joints' rings are uneven
+    for (int i = 0; i < 50; ++i) {
+        const Stages s(star(random_directions(random, 5), 6));
+        for (std::int32_t p = 0; p < s.network.path_count(); ++p) {
+            const Station* ring = &s.stations.stations[s.stations.first[p]];
+            while (ring->shape == RingShape::follow) ++ring;
+            for (std::int32_t k = s.stations.angle_first[p]; k < s.stations.angle_first[p + 1]; ++k) {
+                const double uneven = std::abs(s.stations.near_uneven[k]);
+                EXPECT_LT((1 - ring->near_share) * uneven, 0.2 + 1e-6);
+                most = std::max(most, uneven);
+            }
+        }
+    }
+    EXPECT_GT(most, 1);
+}
+
 TEST(PathAngles, SpreadTheLeastTwistBetweenTwoJoints) {
     property::Random random(20);
     Document d = random_tree(random, 4);

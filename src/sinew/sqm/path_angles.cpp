@@ -181,19 +181,36 @@ class AngleFinder {
         }
         share_spacing();
     }
-    /// The rings next to a joint have some of its ring's spacing left; all of it where they fill its cell.
+    /// The rings next to a joint have some of its ring's spacing left: all of it where they fill its cell,
+    /// and so much that no column between them turns by more than a little.
     void share_spacing() {
         constexpr std::array<float, 2> roomy{0.45f, 0.15f}, crowded{1.0f, 0.3f};
+        constexpr double turned = 0.2;  // radians
+        const auto share = [&](bool full, double uneven, std::size_t i) {
+            if (full) return crowded[i];
+            const float a = static_cast<float>(1 - turned / std::max(uneven, turned));
+            return std::max(roomy[i], i == 0 ? a : 0.3f * a);
+        };
         const auto [near, far] = w_.out.crowded.back();
+        const double near_uneven = w_.near.any() ? most_uneven(near_angles_, phase_) : 0,
+                     far_uneven = w_.far.any() ? most_uneven(far_angles_, far_phase_) : 0;
         for (std::size_t i = 0; i < std::min<std::size_t>(2, w_.rings.size()); ++i) {
-            if (w_.near.any()) w_.rings[i].near_share = (near ? crowded : roomy)[i];
-            if (w_.far.any()) w_.rings[w_.rings.size() - 1 - i].far_share = (far ? crowded : roomy)[i];
+            if (w_.near.any()) w_.rings[i].near_share = share(near, near_uneven, i);
+            if (w_.far.any()) w_.rings[w_.rings.size() - 1 - i].far_share = share(far, far_uneven, i);
         }
         for (Station& ring : w_.rings)
             if (const float sum = ring.near_share + ring.far_share; sum > 1) {
                 ring.near_share /= sum;
                 ring.far_share /= sum;
             }
+    }
+
+    /// How far a joint's points are from an even spacing.
+    double most_uneven(const std::vector<double>& angles, double phase) const {
+        double most = 0;
+        for (std::int32_t k = 0; k < w_.sides; ++k)
+            most = std::max(most, std::abs(angles[k] - (phase + step_ * k)));
+        return most;
     }
 
     void write() {
