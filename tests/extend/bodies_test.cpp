@@ -1,4 +1,5 @@
 #include "sinew/extend/bodies.h"
+#include "sinew/mesh/intersect.h"
 #include "sinew/mesh/measure.h"
 
 #include "skinning.h"
@@ -243,6 +244,20 @@ TEST(Negative, AtTheEndOfALimbMakesABowl) {
     add(d, 1, {0, 0, 3.5}, 0.8, NodeType::negative);
     const Skin skin = solid(d);
     EXPECT_LT(distance_to(skin.mesh, {0, 0, 2.5}), 1e-5);  // half a unit below the top
+}
+
+TEST(Negative, FoldsNothingHoweverWideTheBowl) {
+    for (const double radius : {0.2, 0.4, 0.6, 0.7, 0.8, 0.85}) {
+        SCOPED_TRACE(radius);
+        Document d;
+        add(d, -1, {0, 0, 0}, 0.8, NodeType::hemisphere);
+        add(d, 0, {0, 0, 2.5}, 1);
+        add(d, 1, {0, 0, 4}, radius, NodeType::negative);
+        for (const QuadMesh& mesh : {solid(d).mesh, smooth(d)}) {
+            EXPECT_EQ(measure(mesh).folded_quads.count, 0u);
+            EXPECT_TRUE(find_self_intersections(mesh)->empty());
+        }
+    }
 }
 
 TEST(Bodies, WorkAtDistanceZero) {

@@ -18,6 +18,8 @@ constexpr int pit_sides = 8;  // round a dent: with fewer, the surface beside it
 constexpr double bare =
     0.643;  // cosine of 50 degrees: an axis with no bone nearer than that gets one of its own
 
+constexpr double beyond_rim = 1.05;
+
 Form ring_form(const Frame& frame, double half_x, double half_y, Section section, double sharpness) {
     Form form;
     form.section = section;
@@ -193,16 +195,33 @@ void add_box_joint(PlainBuilder& b, std::int32_t node) {
     }
 }
 
+/// The cell of a dent ends halfway to the next bone: if that were not beyond the dent's rim, the joint would
+/// fold over it. Turns a ray so far away from the dent, where it can.
+Vec3 clear_of_dent(const PlainBuilder& b, std::int32_t node, std::int32_t dent, double reach,
+                   const Vec3& ray) {
+    const double rim =
+        beyond_rim * section_form(b, dent).half.head<2>().maxCoeff() / reach;  // sine of its angle
+    const double cosine = std::max(1 - 2 * rim * rim, -bare);
+    const Vec3 towards = b.direction(node, dent), across = ray - ray.dot(towards) * towards;
+    if (ray.dot(towards) <= cosine) return ray;
+    return cosine * towards + std::sqrt(1 - cosine * cosine) * across.normalized();
+}
+
 /// Bones of its own for every axis that no drawn bone is near, so that the joint has vertices all round.
 void add_surface_bones(PlainBuilder& b, std::int32_t node, const Frame& frame, double reach) {
-    std::vector<Vec3> taken;
-    for (const std::int32_t bone : b.bones(node)) taken.push_back(b.direction(node, b.other(bone, node)));
+    std::vector<std::int32_t> drawn;
+    for (const std::int32_t bone : b.bones(node)) drawn.push_back(b.other(bone, node));
+    const auto near = [&](const Vec3& ray) {
+        return std::ranges::any_of(
+            drawn, [&](std::int32_t other) { return b.direction(node, other).dot(ray) > bare; });
+    };
     for (const Vec3& axis : {frame.x, frame.y, frame.z})
         for (const double sign : {1.0, -1.0}) {
-            const Vec3 ray = sign * axis;
-            bool near = false;
-            for (const Vec3& t : taken) near = near || t.dot(ray) > bare;
-            if (near) continue;
+            Vec3 ray = sign * axis;
+            if (near(ray)) continue;
+            for (const std::int32_t other : drawn)
+                if (b.is_pit(other)) ray = clear_of_dent(b, node, other, reach, ray);
+            if (near(ray)) continue;
             const std::int32_t tip = b.add_node(b.position(node) + reach * ray, 0.5 * reach, node);
             b.set_cap(tip, Cap::surface);
             b.add_bone(node, tip, BoneKind::body);
