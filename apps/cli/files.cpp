@@ -116,14 +116,14 @@ Result<void> check_mesh_output(const Job& job, const FileOptions& files) {
 
 Result<void> write_output_mesh(const QuadMesh& mesh, const Job& job, const FileOptions& files,
                                MeshWriteOptions options) {
-    if (const auto on = heed_interrupt(); !on) return on;
+    if (auto on = heed_interrupt(); !on) return on;
     options.format = files.to;
     return write_mesh(mesh, job.output, options);
 }
 
 Result<void> write_output_skeleton(Session& session, const Document& document, const Job& job,
                                    const FileOptions& files) {
-    if (const auto on = heed_interrupt(); !on) return on;
+    if (auto on = heed_interrupt(); !on) return on;
     const auto written = write_skeleton(document, job.output, files.to);
     if (!written) return fail(written.error());
     return session.warn(job.output == "-" ? job.input : job.output, *written);

@@ -141,7 +141,7 @@ Result<void> check_picture_name(const std::string& path) {
 Result<void> write_picture(const Picture& picture, const std::string& path) {
     const auto bytes = encode_png(picture);
     if (!bytes) return fail(bytes.error());
-    if (const auto on = heed_interrupt(); !on) return on;
+    if (auto on = heed_interrupt(); !on) return on;
     return write_file(path, *bytes);
 }
 

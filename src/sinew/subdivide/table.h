@@ -24,8 +24,8 @@ void reserve_large(std::vector<T>& list, std::size_t size) {
 template <class T>
 struct TableAllocator : std::allocator<T> {
     template <class U>
-    struct rebind {
-        using other = TableAllocator<U>;
+    struct rebind {                       // NOLINT(readability-identifier-naming): the library's name
+        using other = TableAllocator<U>;  // NOLINT(readability-identifier-naming)
     };
 
     T* allocate(std::size_t size) {
