@@ -182,12 +182,14 @@ class StencilBuilder {
 
 std::vector<Circle> without_edges(const std::vector<Circle>& circles) {
     std::vector<Circle> bare;
+    bare.reserve(circles.size());
     for (const Circle& circle : circles) bare.push_back({circle.centre, circle.axis, circle.radius, {}});
     return bare;
 }
 
 std::vector<Plane> without_faces(const std::vector<Plane>& planes) {
     std::vector<Plane> bare;
+    bare.reserve(planes.size());
     for (const Plane& plane : planes) bare.push_back({plane.point, plane.normal, {}});
     return bare;
 }
