@@ -1,13 +1,10 @@
 /// @file bodies.h
-/// Cubes, balls and pits: node types that become several plain nodes.
+/// Balls and pits: node types that become several plain nodes.
 #pragma once
 
 #include "sinew/extend/builder.h"
 
 namespace sinew {
-
-/// On a bone or at its end: rings at two faces. At a root, a branch or alone: a box joint with six faces.
-void add_cube(PlainBuilder& builder, std::int32_t node);
 
 /// A ball joint: every tube leaves it with the radius of its other end; bare parts get bones of their own.
 void add_ball(PlainBuilder& builder, std::int32_t node);

@@ -18,7 +18,8 @@ PlainBuilder::PlainBuilder(const Document& document, const CleanGraph& graph, Wa
       warnings_(warnings),
       adjacency_(adjacency(static_cast<std::int32_t>(graph.position.size()), graph.bones)),
       position_(graph.position),
-      attached_(graph.bones) {
+      attached_(graph.bones),
+      attached_kind_(graph.bones.size(), BoneKind::tube) {
     part_coincident();
     plain_.position.reserve(position_.size());
     plain_.position = position_;
@@ -117,7 +118,7 @@ Plain PlainBuilder::finish() {
     std::vector<std::int32_t> sources = std::move(plain_.source_bone);
     plain_.bones.assign(attached_.begin(), attached_.end());
     plain_.bones.insert(plain_.bones.end(), bones.begin(), bones.end());
-    plain_.bone_kind.assign(attached_.size(), BoneKind::tube);
+    plain_.bone_kind = attached_kind_;
     plain_.bone_kind.insert(plain_.bone_kind.end(), kinds.begin(), kinds.end());
     plain_.source_bone = graph_.source_bone;
     plain_.source_bone.insert(plain_.source_bone.end(), sources.begin(), sources.end());

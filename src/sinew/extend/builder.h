@@ -36,6 +36,10 @@ class PlainBuilder {
 
     /// The bone to the parent, or the first one of a root.
     std::int32_t first_bone(std::int32_t i) const;
+    /// Whether the first of two neighbours hangs from the second.
+    bool is_below(std::int32_t i, std::int32_t above) const {
+        return drawn(i).parent == graph_.source_node[above];
+    }
     Frame frame(std::int32_t i) const;  ///< the node's, as skeleton/frames.h has it
 
     // The plain skeleton.
@@ -51,6 +55,8 @@ class PlainBuilder {
     void move(std::int32_t node, const Vec3& position) { plain_.position[node] = position; }
     /// Where a bone of the graph is tied to at its end at node i.
     void attach(std::int32_t bone, std::int32_t i, std::int32_t plain_node);
+    /// What a bone of the graph is; a tube unless told.
+    void set_kind(std::int32_t bone, BoneKind kind) { attached_kind_[bone] = kind; }
     void warn(std::int32_t i, std::string_view what);
 
     Plain finish();
@@ -65,6 +71,7 @@ class PlainBuilder {
     std::vector<Vec3> position_;  // as drawn, but for nodes at distance zero, which are a hair apart
     Plain plain_;
     std::vector<Bone> attached_;
+    std::vector<BoneKind> attached_kind_;
 };
 
 }  // namespace sinew

@@ -2,6 +2,7 @@
 
 #include "sinew/extend/bodies.h"
 #include "sinew/extend/builder.h"
+#include "sinew/extend/cubes.h"
 #include "sinew/extend/sections.h"
 
 namespace sinew {

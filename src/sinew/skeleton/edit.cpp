@@ -297,7 +297,7 @@ Result<Document> snap_to_angle(const Document& document, double degrees,
         Vec3 bone = document.nodes[i].position - document.nodes[parent].position;
         if (chosen[i]) {
             const Vec3 around = snapped(bone.y(), bone.x()),
-                       up = snapped(bone.z(), std::hypot(bone.x(), bone.y()));
+                       up = snapped(bone.z(), Vec2(bone.x(), bone.y()).norm());
             bone = bone.norm() * Vec3(up.x() * around.x(), up.x() * around.y(), up.y());
         }
         result.nodes[i].position = result.nodes[parent].position + bone;

@@ -67,7 +67,7 @@ double size_of(const Document& document) {
         high = high.cwiseMax(node.position - away);
         off = std::max(off, 2 * away.norm());
     }
-    return document.nodes.empty() ? 0 : std::hypot((high - low).norm(), off);
+    return document.nodes.empty() ? 0 : Vec2((high - low).norm(), off).norm();
 }
 
 /// Finds nodes by their place, through a grid of sorted cells.
