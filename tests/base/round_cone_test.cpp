@@ -28,6 +28,17 @@ TEST(RoundCone, RaysLeaveItOnItsSurface) {
     }
 }
 
+TEST(RoundCone, HoldsARayUpToWhereThatLeavesIt) {
+    property::Random random(2);
+    for (int i = 0; i < 2000; ++i) {  // some are balls within balls
+        const ConeFrom cone(Vec3::Zero(), random.between(0.2, 1), random.between(0.5, 4) * random.direction(),
+                            random.between(0.2, 2));
+        const Vec3 ray = random.direction();
+        EXPECT_TRUE(cone.holds(0.999 * cone.exit(ray) * ray));
+        EXPECT_FALSE(cone.holds(1.001 * cone.exit(ray) * ray));
+    }
+}
+
 TEST(RoundCone, OfEqualBallsIsACylinderWithCaps) {
     const ConeFrom cone(Vec3::Zero(), 1, {0, 0, 5}, 1);
     EXPECT_DOUBLE_EQ(cone.exit(Vec3::UnitX()), 1);

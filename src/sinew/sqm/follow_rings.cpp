@@ -29,6 +29,8 @@ class Follower {
         const double r = w_.s.radius[w_.n.joint_node[side.joint]];
         const bool ball = body && body->kind == Form::Kind::ball;
         if (!pole && !ball && is_near(side, is_far ? w_.rings.back() : w_.rings.front())) return 0;
+        if (!pole && w_.points.only_cones[side.joint])
+            return !cuts_deeper(side, is_far, 0.18 * r) ? 0 : cuts_deeper(side, is_far, 0.45 * r) ? 2 : 1;
         const std::size_t angles = w_.out.angle.size() - w_.sides;
         double worst = 0;
         for (std::int32_t k = 0, j = is_far ? w_.out.far_shift.back() : 0; k < w_.sides; ++k, ++j) {
@@ -43,6 +45,28 @@ class Follower {
                 std::max(worst, (exit - distance) * (ball ? r / exit : 1));  // of an ellipsoid as of a ball
         }
         return worst > 0.45 * r ? 2 : worst > (ball ? 0.02 : 0.18) * r ? 1 : 0;
+    }
+    /// Whether the middle between the joint's ring and the next one is so much below the joint's surface
+    /// somewhere: then the point as far above it is inside one of the joint's cones.
+    bool cuts_deeper(const JointSide& side, bool is_far, double depth) const {
+        const Station& ring = is_far ? w_.rings.back() : w_.rings.front();
+        const double radius = ring.half.mean();
+        const Vec3 to = ring.centre - side.centre, x = radius * ring.x, y = ring.tangent.cross(x);
+        auto [sine, cosine] = portable::sine_cosine(w_.out.angle[w_.out.angle.size() - w_.sides] + ring.turn);
+        for (std::int32_t k = 0, j = is_far ? w_.out.far_shift.back() : 0; k < w_.sides; ++k, ++j) {
+            if (j == w_.sides) j = 0;
+            const Vec3 middle = 0.5 * (side.points[j] + to + cosine * x + sine * y);
+            if (holds(side.joint, (1 + depth / middle.norm()) * middle)) return true;
+            const double turned = sine * w_.step.cosine + cosine * w_.step.sine;
+            cosine = cosine * w_.step.cosine - sine * w_.step.sine;
+            sine = turned;
+        }
+        return false;
+    }
+    bool holds(std::int32_t joint, const Vec3& point) const {
+        const auto cones = w_.points.cone.begin();
+        return std::any_of(cones + w_.n.slot_first[joint], cones + w_.n.slot_first[joint + 1],
+                           [&](const ConeFrom& cone) { return cone.holds(point); });
     }
     /// Whether no column turns by more than 70 degrees, seen from the joint: a chord of that loses 0.18 of
     /// the radius.

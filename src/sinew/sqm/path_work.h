@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "sinew/base/portable_math.h"
 #include "sinew/sqm/stations.h"
 
 namespace sinew::sqm {
@@ -39,7 +40,8 @@ struct PathWork {
     std::int32_t path = 0, sides = 0;
     std::span<const std::int32_t> nodes, bones;
     bool closed = false;
-    double edge = 1;  ///< of a ring of radius 1
+    double edge = 1;                  ///< of a ring of radius 1
+    portable::SineCosine step{0, 1};  ///< of the angle from a column to the next, spread evenly
     JointSide near, far;
     std::vector<Station> rings;
 

@@ -107,6 +107,7 @@ void build(PathWork& w, std::int32_t path, std::int32_t least_rings) {
     if (const std::int32_t sides = w.r.path_sides[path]; sides != w.sides) {
         w.sides = sides;
         w.edge = 2 * portable::sine_cosine(M_PI / sides).sine;
+        w.step = portable::sine_cosine(2 * M_PI / sides);
     }
     take_joint(w, w.near, w.n.path_end[path][0], false);
     take_joint(w, w.far, w.n.path_end[path][1], true);
