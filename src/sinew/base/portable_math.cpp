@@ -1,7 +1,9 @@
 #include "sinew/base/portable_math.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace sinew::portable {
@@ -73,20 +75,17 @@ double whole_power(double x, unsigned n) {
 SineCosine sine_cosine(double radians) {
     // A quarter turn in three parts, of which k times the first two are exact.
     constexpr double high = 0x1.921fb544p0, middle = 0x1.0b4611a6p-34, low = 0x1.3198a2e037073p-69;
-    constexpr double round = 0x1.8p52;  // adding and taking it away again rounds to a whole number
-    const double k = (radians * 0.63661977236758134 + round) - round;
+    constexpr double round =
+        0x1.8p52;  // adding it rounds to a whole number, whose last bits are then the sum's
+    const double rounded = radians * 0.63661977236758134 + round, k = rounded - round;
     const double x = ((radians - k * high) - k * middle) - k * low;
-    const double s = sine_near_zero(x), c = cosine_near_zero(x);
-    switch (static_cast<int>(k) & 3) {
-        case 0:
-            return {s, c};
-        case 1:
-            return {c, -s};
-        case 2:
-            return {-s, -c};
-        default:
-            return {-c, s};
-    }
+    const auto s = std::bit_cast<std::uint64_t>(sine_near_zero(x)),
+               c = std::bit_cast<std::uint64_t>(cosine_near_zero(x));
+    // Odd quarters exchange them, and two of four have the other sign: bits, since a branch would be guessed
+    // wrongly as often as not.
+    const auto quarter = std::bit_cast<std::uint64_t>(rounded), exchange = (s ^ c) & -(quarter & 1);
+    return {std::bit_cast<double>(s ^ exchange ^ (quarter & 2) << 62),
+            std::bit_cast<double>(c ^ exchange ^ ((quarter + 1) & 2) << 62)};
 }
 
 double angle_of(double y, double x) {

@@ -31,9 +31,9 @@ class Follower {
         if (!pole && !ball && is_near(side, is_far ? w_.rings.back() : w_.rings.front())) return 0;
         if (!pole && w_.points.only_cones[side.joint])
             return !cuts_deeper(side, is_far, 0.18 * r) ? 0 : cuts_deeper(side, is_far, 0.45 * r) ? 2 : 1;
-        const std::size_t angles = w_.out.angle.size() - w_.sides;
+        const std::int32_t angles = w_.out.angle_first[w_.path];
         double worst = 0;
-        for (std::int32_t k = 0, j = is_far ? w_.out.far_shift.back() : 0; k < w_.sides; ++k, ++j) {
+        for (std::int32_t k = 0, j = is_far ? w_.out.far_shift[w_.path] : 0; k < w_.sides; ++k, ++j) {
             if (j == w_.sides) j = 0;
             const Vec3 target = pole ? on_surface(side, w_.position(is_far ? 0 : w_.count() - 1))
                                      : on_ring(is_far, w_.out.angle[angles + k]);
@@ -47,13 +47,13 @@ class Follower {
         return worst > 0.45 * r ? 2 : worst > (ball ? 0.02 : 0.18) * r ? 1 : 0;
     }
     /// Whether the middle between the joint's ring and the next one is so much below the joint's surface
-    /// somewhere: then the point as far above it is inside one of the joint's cones.
+    /// somewhere: then the point as far above it is still the joint's.
     bool cuts_deeper(const JointSide& side, bool is_far, double depth) const {
         const Station& ring = is_far ? w_.rings.back() : w_.rings.front();
         const double radius = ring.half.mean();
         const Vec3 to = ring.centre - side.centre, x = radius * ring.x, y = ring.tangent.cross(x);
-        auto [sine, cosine] = portable::sine_cosine(w_.out.angle[w_.out.angle.size() - w_.sides] + ring.turn);
-        for (std::int32_t k = 0, j = is_far ? w_.out.far_shift.back() : 0; k < w_.sides; ++k, ++j) {
+        auto [sine, cosine] = portable::sine_cosine(w_.out.angle[w_.out.angle_first[w_.path]] + ring.turn);
+        for (std::int32_t k = 0, j = is_far ? w_.out.far_shift[w_.path] : 0; k < w_.sides; ++k, ++j) {
             if (j == w_.sides) j = 0;
             const Vec3 middle = 0.5 * (side.points[j] + to + cosine * x + sine * y);
             if (holds(side.joint, (1 + depth / middle.norm()) * middle)) return true;
@@ -63,10 +63,15 @@ class Follower {
         }
         return false;
     }
+    /// Whether a point, from the joint's centre, is in one of its cones and not beyond what it may take.
     bool holds(std::int32_t joint, const Vec3& point) const {
-        const auto cones = w_.points.cone.begin();
-        return std::any_of(cones + w_.n.slot_first[joint], cones + w_.n.slot_first[joint + 1],
-                           [&](const ConeFrom& cone) { return cone.holds(point); });
+        bool inside = false;
+        for (std::int32_t slot = w_.n.slot_first[joint]; slot < w_.n.slot_first[joint + 1]; ++slot) {
+            const ConeFrom& cone = w_.points.cone[slot];
+            if (point.dot(cone.axis) > w_.points.limit[slot]) return false;
+            inside = inside || cone.holds(point);
+        }
+        return inside;
     }
     /// Whether no column turns by more than 70 degrees, seen from the joint: a chord of that loses 0.18 of
     /// the radius.
@@ -90,7 +95,7 @@ class Follower {
         return ring.centre + ring.half.mean() * (cosine * ring.x + sine * y);
     }
     void insert(const JointSide& side, bool is_far) {
-        if (w_.out.crowded.back()[is_far]) return;  // there its own surface is not what is seen
+        if (w_.out.crowded[w_.path][is_far]) return;  // there its own surface is not what is seen
         const int rings = wanted(side, is_far);
         if (rings == 0) return;
         Station ring = w_.rings.empty() ? at_surface(is_far) : is_far ? w_.rings.back() : w_.rings.front();

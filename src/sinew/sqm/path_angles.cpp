@@ -57,9 +57,9 @@ class AngleFinder {
 
     void joint_angles(const JointSide& side, const Vec3& tangent, const Vec3& x,
                       std::vector<double>& angles) const {
-        angles.clear();
+        angles.resize(side.points.size());
         const Vec3 y = tangent.cross(x);
-        for (const Vec3& point : side.points) angles.push_back(angle_round(point, x, y));
+        for (std::size_t k = 0; k < angles.size(); ++k) angles[k] = angle_round(side.points[k], x, y);
         unwrap(angles);
     }
     bool is_box(const JointSide& side) const {
@@ -191,7 +191,7 @@ class AngleFinder {
             const float a = static_cast<float>(1 - turned / std::max(uneven, turned));
             return std::max(roomy[i], i == 0 ? a : 0.3f * a);
         };
-        const auto [near, far] = w_.out.crowded.back();
+        const auto [near, far] = w_.out.crowded[w_.path];
         const double near_uneven = w_.near.any() ? most_uneven(near_angles_, phase_) : 0,
                      far_uneven = w_.far.any() ? most_uneven(far_angles_, far_phase_) : 0;
         for (std::size_t i = 0; i < std::min<std::size_t>(2, w_.rings.size()); ++i) {
@@ -215,13 +215,17 @@ class AngleFinder {
 
     void write() {
         Stations& out = w_.out;
-        out.far_shift.push_back(shift_);
-        out.corner.push_back(corner_);
+        out.far_shift[w_.path] = shift_;
+        out.corner[w_.path] = corner_;
+        const std::int32_t first = out.angle_first[w_.path];
+        for (std::int32_t k = 0; k < w_.sides; ++k) out.angle[first + k] = column_angle(k);
+        if (w_.near.any())
+            for (std::int32_t k = 0; k < w_.sides; ++k)
+                out.near_uneven[first + k] = near_angles_[k] - column_angle(k);
+        if (!w_.far.any()) return;
         for (std::int32_t k = 0, j = shift_; k < w_.sides; ++k, ++j) {
             if (j == w_.sides) j = 0;
-            out.angle.push_back(column_angle(k));
-            out.near_uneven.push_back(w_.near.any() ? near_angles_[k] - column_angle(k) : 0);
-            out.far_uneven.push_back(w_.far.any() ? far_angles_[j] - (far_phase_ + step_ * j) : 0);
+            out.far_uneven[first + k] = far_angles_[j] - (far_phase_ + step_ * j);
         }
     }
 

@@ -14,8 +14,9 @@ namespace sinew::sqm {
 
 /// Carries the unit vector x, at right angles to tangent a at point p, to tangent b at point q with the least
 /// rotation. Double reflection: W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of rotation minimizing
-/// frames", ACM TOG 27(1), 2008.
+/// frames", ACM TOG 27(1), 2008. Both reflections are the same one where the tangents are: x stays.
 inline Vec3 carry_frame(const Vec3& x, const Vec3& p, const Vec3& a, const Vec3& q, const Vec3& b) {
+    if (a == b) return x;
     const Vec3 chord = q - p;
     const double square = chord.squaredNorm();
     Vec3 xl = x, al = a;

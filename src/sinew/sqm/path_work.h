@@ -21,9 +21,8 @@ struct JointSide {
     std::vector<Vec3> points;                          ///< their places, from the joint's centre
     double reach = 0;                                  ///< how far they go along the bone
     double farthest = 0;                               ///< and from the joint's centre
-    double widest = 1;      ///< cosine of the greatest angle between one of them and the bone
-    double narrowest = -1;  ///< and of the least one
-    double room = 0;  ///< tangent of the least angle between the bone and the cell's border; 0: no limit
+    double widest = 1;  ///< cosine of the greatest angle between one of them and the bone
+    double room = 0;    ///< tangent of the least angle between the bone and the cell's border; 0: no limit
 
     bool any() const { return joint >= 0; }
 };

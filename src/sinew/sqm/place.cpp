@@ -75,6 +75,8 @@ class Placer {
         } else if (ring.shape == RingShape::node && options_.ideal) {
             const BendRing bend = bend_ring(i, p);
             put([&](const Vec3& ray) { return bend.at(ray); });
+        } else if (ring.half.x() == ring.half.y() && ring.bend.isZero(0)) {
+            put([&](const Vec3& ray) -> Vec3 { return ring.centre + ring.half.x() * ray; });
         } else {
             put([&](const Vec3& ray) -> Vec3 { return ring.centre + widened(ring, ellipse(ring, ray)); });
         }
