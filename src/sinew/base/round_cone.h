@@ -44,12 +44,14 @@ struct ConeFrom {
     /// Whether a point, seen from the near centre, is inside. Cheaper than `exit`.
     bool holds(const Vec3& point) const {
         const double along = point.dot(axis), square = point.squaredNorm();
-        const double across = std::sqrt(std::max(0.0, square - along * along));
-        const double rise = along * cosine - across * sine;
-        if (!nested_ && rise > 0 && rise < length * cosine) return across * cosine + along * sine <= near;
-        const bool in_near = square <= near * near,
-                   in_far = (point - length * axis).squaredNorm() <= far * far;
-        return in_near || in_far;
+        if (square <= near * near) return true;
+        if (!nested_) {
+            const double across = std::sqrt(std::max(0.0, square - along * along));
+            const double rise = along * cosine - across * sine;
+            if (rise <= 0) return false;
+            if (rise < length * cosine) return across * cosine + along * sine <= near;
+        }
+        return square + length * (length - 2 * along) <= far * far;
     }
 
     /// Heights above the near centre at which the straight side begins and ends.

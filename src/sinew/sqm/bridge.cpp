@@ -64,8 +64,9 @@ class Builder {
         mesh.face_offsets.resize(face_total_ + 1);
         mesh.face_offsets[face_total_] = static_cast<std::uint32_t>(corner_total_);
         tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n_.path_count(), 128), [&](const auto& range) {
-            std::vector<std::uint32_t> a, b;
-            for (std::int32_t p = range.begin(); p < range.end() && !progress.cancelled(); ++p) tube(p, a, b);
+            std::vector<std::uint32_t> near, far;
+            for (std::int32_t p = range.begin(); p < range.end() && !progress.cancelled(); ++p)
+                tube(p, near, far);
         });
         if (progress.cancelled()) return Progress::stopped();
         rest();
@@ -150,48 +151,52 @@ class Builder {
         c.at += 3;
         *c.corner++ = v0, *c.corner++ = v1, *c.corner++ = v2;
     }
-    /// Quads from ring a to ring b; column k of a ends in vertex k + shift of b.
-    static void band(Cursor& c, const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
-                     std::size_t shift) {
-        const std::size_t n = a.size();
-        for (std::size_t k = 0; k < n; ++k) {
-            const std::size_t next = k + 1 < n ? k + 1 : 0, kb = (k + shift) % n,
-                              nb = kb + 1 < n ? kb + 1 : 0;
-            quad(c, a[k], a[next], b[nb], b[kb]);
-        }
+    /// Calls face(this, next) for all columns of a ring: their vertices.
+    template <class Ring, class Face>
+    static void for_columns(std::uint32_t columns, Ring ring, Face face) {
+        for (std::uint32_t k = 1; k < columns; ++k) face(ring(k - 1), ring(k));
+        face(ring(columns - 1), ring(0));
+    }
+    /// Quads from one ring to the next; each says which vertices a column has.
+    template <class From, class To>
+    static void band(Cursor& c, std::uint32_t columns, From from, To to) {
+        const auto pair = [&](std::uint32_t k) { return std::array{from(k), to(k)}; };
+        for_columns(columns, pair, [&](const auto& a, const auto& b) { quad(c, a[0], b[0], b[1], a[1]); });
     }
 
-    void tube(std::int32_t p, std::vector<std::uint32_t>& a, std::vector<std::uint32_t>& b) {
+    /// @param near,far  working memory
+    void tube(std::int32_t p, std::vector<std::uint32_t>& near, std::vector<std::uint32_t>& far) {
         Cursor c = cursor(first_face_[p], first_corner_[p]);
         const auto n = static_cast<std::uint32_t>(sides(p));
         const std::int32_t rings = ring_count(p);
-        const auto ring = [&](std::int32_t i, std::vector<std::uint32_t>& out) {
-            out.resize(n);
-            for (std::uint32_t k = 0; k < n; ++k) out[k] = out_.path_vertex[p] + i * n + k;
+        const auto ring = [&](std::int32_t i) {
+            return [first = out_.path_vertex[p] + i * n](std::uint32_t k) { return first + k; };
         };
-        const std::size_t shift = d_.stations.far_shift[p];
-        std::int32_t next = 0;
-        if (!n_.path_closed[p] && n_.path_end[p][0].at_joint()) {
-            joint_ring_of_path(d_, p, 0, a);
-        } else {
-            ring(next++, a);
-            if (has_pole(p, 0))
-                for (std::uint32_t k = 0; k < n; ++k) triangle(c, a[(k + 1) % n], a[k], out_.path_pole[p][0]);
+        const auto of_joint = [&](int end, std::vector<std::uint32_t>& vertices) {
+            joint_ring_of_path(d_, p, end, vertices);
+            return [&vertices](std::uint32_t k) { return vertices[k]; };
+        };
+        const auto close = [&](auto last) {
+            const std::uint32_t shift = d_.stations.far_shift[p], pole = out_.path_pole[p][1];
+            if (n_.path_closed[p])
+                band(c, n, last,
+                     [&](std::uint32_t k) { return ring(0)(k + shift < n ? k + shift : k + shift - n); });
+            else if (n_.path_end[p][1].at_joint())
+                band(c, n, last, of_joint(1, far));
+            else
+                for_columns(n, last, [&](std::uint32_t a, std::uint32_t b) { triangle(c, a, b, pole); });
+        };
+
+        if (n_.path_end[p][0].at_joint()) {
+            const auto first = of_joint(0, near);
+            if (rings == 0) return close(first);
+            band(c, n, first, ring(0));
+        } else if (!n_.path_closed[p]) {
+            const std::uint32_t pole = out_.path_pole[p][0];
+            for_columns(n, ring(0), [&](std::uint32_t a, std::uint32_t b) { triangle(c, b, a, pole); });
         }
-        for (; next < rings; ++next) {
-            ring(next, b);
-            band(c, a, b, 0);
-            a.swap(b);
-        }
-        if (n_.path_closed[p]) {
-            ring(0, b);
-            band(c, a, b, shift);
-        } else if (n_.path_end[p][1].at_joint()) {
-            joint_ring_of_path(d_, p, 1, b);
-            band(c, a, b, 0);
-        } else {
-            for (std::uint32_t k = 0; k < n; ++k) triangle(c, a[k], a[(k + 1) % n], out_.path_pole[p][1]);
-        }
+        for (std::int32_t i = 1; i < rings; ++i) band(c, n, ring(i - 1), ring(i));
+        close(ring(rings - 1));
     }
 
     void rest() {

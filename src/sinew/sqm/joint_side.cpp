@@ -8,17 +8,17 @@ namespace {
 
 /// A point of the joint's ring, seen from its centre.
 struct Seen {
-    Vec3 point;
+    const Vec3* point;
     double square, along;  ///< of the distance; along the bone
 
     Seen(const Vec3& place, const Vec3& axis)
-        : point(place), square(place.squaredNorm()), along(place.dot(axis)) {}
+        : point(&place), square(place.squaredNorm()), along(place.dot(axis)) {}
 };
 
 /// Cosine of the angle between the bone and the arc between two points' directions, if the nearest point is
 /// not one of its ends; else -1.
 double cosine_to_inside(const Seen& from, const Seen& to) {
-    const double aa = from.square, bb = to.square, ab = from.point.dot(to.point);
+    const double aa = from.square, bb = to.square, ab = from.point->dot(*to.point);
     const double a = from.along, b = to.along;
     if (!(b * aa > a * ab && a * bb > b * ab)) return -1;
     const double square = (a * a * bb + b * b * aa - 2 * ab * a * b) / (aa * bb - ab * ab);
@@ -35,7 +35,8 @@ void look_along(const Vec3& axis, JointSide& side) {
         reach = std::max(reach, seen.along);
         farthest = std::max(farthest, distance);
         widest = std::min(widest, cosine);
-        narrowest = std::max({narrowest, cosine, cosine_to_inside(before, seen)});
+        narrowest = std::max(narrowest, cosine);
+        narrowest = std::max(narrowest, cosine_to_inside(before, seen));
         before = seen;
     }
     side.reach = reach;

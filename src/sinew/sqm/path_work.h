@@ -52,7 +52,9 @@ struct PathWork {
 
     std::int32_t count() const { return static_cast<std::int32_t>(nodes.size()); }
     std::int32_t bone_count() const { return closed ? count() : count() - 1; }
-    std::int32_t node(std::int32_t i) const { return nodes[(i + count()) % count()]; }
+    std::int32_t node(std::int32_t i) const {
+        return nodes[i < 0 ? i + count() : i < count() ? i : i - count()];
+    }
     const Vec3& position(std::int32_t i) const { return s.position[node(i)]; }
     double radius(std::int32_t i) const { return s.radius[node(i)]; }
     const Form* form(std::int32_t i) const { return s.form(node(i)); }
