@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace sinew::portable {
 namespace {
@@ -26,6 +27,17 @@ TEST(PortableMath, AngleAndPointBelongTogether) {
     }
     for (const double turns : {-2e5, -12345.0, 0.0, 17.0, 1e5})
         EXPECT_NEAR(sine_cosine(turns + 0.5).sine, std::sin(turns + 0.5), 1e-15) << turns;
+}
+
+TEST(PortableMath, ManyAnglesAtOnceGiveTheSameBits) {
+    std::vector<double> radians;
+    for (int i = 0; i < 1001; ++i) radians.push_back(0.0731 * (i - 500));
+    std::vector<SineCosine> many(radians.size());
+    sine_cosine(radians, many.data());
+    for (std::size_t i = 0; i < radians.size(); ++i) {
+        EXPECT_EQ(many[i].sine, sine_cosine(radians[i]).sine);
+        EXPECT_EQ(many[i].cosine, sine_cosine(radians[i]).cosine);
+    }
 }
 
 TEST(PortableMath, AnglesOfTheAxesAreExact) {

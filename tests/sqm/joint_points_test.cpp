@@ -63,7 +63,8 @@ TEST(JointPoints, RingsRunCounterClockwiseRoundTheirCells) {
     std::vector<std::uint32_t> ring;
     for (std::int32_t c = 0; c < s.polyhedra.cell_count(); ++c) {
         ring.clear();
-        append_ring(s.polyhedra, s.refinement, s.points, 0, c, ring);
+        for_ring(s.polyhedra, s.refinement, s.points, 0, c,
+                 [&](std::uint32_t point) { ring.push_back(point); });
         EXPECT_EQ(std::ssize(ring), s.round_cell(c));
         EXPECT_EQ(std::set<std::uint32_t>(ring.begin(), ring.end()).size(), ring.size());
         EXPECT_LT(ring[0], s.polyhedra.vertices.size());

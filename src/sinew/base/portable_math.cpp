@@ -70,13 +70,10 @@ double whole_power(double x, unsigned n) {
     return result;
 }
 
-}  // namespace
-
-SineCosine sine_cosine(double radians) {
+inline SineCosine turn(double radians) {
     // A quarter turn in three parts, of which k times the first two are exact.
     constexpr double high = 0x1.921fb544p0, middle = 0x1.0b4611a6p-34, low = 0x1.3198a2e037073p-69;
-    constexpr double round =
-        0x1.8p52;  // adding it rounds to a whole number, whose last bits are then the sum's
+    constexpr double round = 0x1.8p52;  // adding it rounds to a whole number: the last bits of the sum
     const double rounded = radians * 0.63661977236758134 + round, k = rounded - round;
     const double x = ((radians - k * high) - k * middle) - k * low;
     const auto s = std::bit_cast<std::uint64_t>(sine_near_zero(x)),
@@ -86,6 +83,13 @@ SineCosine sine_cosine(double radians) {
     const auto quarter = std::bit_cast<std::uint64_t>(rounded), exchange = (s ^ c) & -(quarter & 1);
     return {std::bit_cast<double>(s ^ exchange ^ (quarter & 2) << 62),
             std::bit_cast<double>(c ^ exchange ^ ((quarter + 1) & 2) << 62)};
+}
+
+}  // namespace
+
+SineCosine sine_cosine(double radians) { return turn(radians); }
+void sine_cosine(std::span<const double> radians, SineCosine* to) {
+    for (std::size_t i = 0; i < radians.size(); ++i) to[i] = turn(radians[i]);
 }
 
 double angle_of(double y, double x) {

@@ -4,6 +4,8 @@
 /// and versions. Error: a few units in the last place.
 #pragma once
 
+#include <span>
+
 namespace sinew::portable {
 
 struct SineCosine {
@@ -11,6 +13,8 @@ struct SineCosine {
 };
 /// Of an angle in radians, up to a million of them; its reduction costs no accuracy there.
 SineCosine sine_cosine(double radians);
+/// The same of many at once, several in one instruction: they are written to `to`.
+void sine_cosine(std::span<const double> radians, SineCosine* to);
 /// Angle of the point (x, y) in radians, in (-pi, pi]; 0 at the origin. Exact at multiples of a right angle.
 double angle_of(double y, double x);
 /// Angle in [-pi/2, pi/2] that has this sine, which is in [-1, 1].

@@ -204,7 +204,8 @@ class Builder {
         std::vector<std::uint32_t> ring;
         for (std::size_t i = 0; i < out_.capped.size(); ++i) {
             ring.clear();
-            append_ring(d_.polyhedra, d_.refinement, d_.points, capped_joint_[i], out_.capped[i], ring);
+            for_ring(d_.polyhedra, d_.refinement, d_.points, capped_joint_[i], out_.capped[i],
+                     [&](std::uint32_t point) { ring.push_back(point); });
             for (std::size_t k = 0; k < ring.size(); ++k)
                 triangle(c, ring[k], ring[(k + 1) % ring.size()],
                          out_.capped_pole + static_cast<std::uint32_t>(i));
@@ -233,11 +234,16 @@ const std::array<std::array<int, 3>, 26>& lone_sphere_points() {
 
 void joint_ring_of_path(const Parts& d, std::int32_t path, int end, std::vector<std::uint32_t>& ring) {
     const PathEnd& e = d.network.path_end[path][end];
-    ring.clear();
-    append_ring(d.polyhedra, d.refinement, d.points, e.joint, d.polyhedra.cell_first[e.joint] + e.slot, ring);
-    if (end == 0) return;
-    std::reverse(ring.begin(), ring.end());
-    std::rotate(ring.begin(), ring.begin() + d.stations.far_shift[path], ring.end());
+    const std::int32_t columns = d.refinement.path_sides[path],
+                       step = end == 0 ? 1 : -1;  // seen from the far joint, columns go the other way round
+    ring.resize(columns);
+    std::int32_t k = end == 0 ? 0 : columns - 1 - d.stations.far_shift[path];
+    for_ring(d.polyhedra, d.refinement, d.points, e.joint, d.polyhedra.cell_first[e.joint] + e.slot,
+             [&](std::uint32_t point) {
+                 ring[k] = point;
+                 k += step;
+                 if (k < 0) k = columns - 1;
+             });
 }
 
 Result<Bridge> bridge(const Parts& parts, const Progress& progress) { return Builder(parts).run(progress); }

@@ -19,7 +19,7 @@ class FeatureWriter {
     void run() {
         for (std::int32_t p = 0; p < n_.path_count(); ++p) {
             tips(p);
-            if (!d_.skeleton.forms.empty()) path(p);
+            if (!is_plain(d_.skeleton, n_, p)) path(p);
         }
         if (d_.skeleton.forms.empty()) return;
         for (std::int32_t j = 0; j < n_.joint_count(); ++j) joint(j);

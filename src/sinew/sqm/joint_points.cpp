@@ -170,15 +170,4 @@ double reach_of_joint(const Network& n, const JointPoints& points, std::int32_t 
     return distance;
 }
 
-void append_ring(const Polyhedra& p, const Refinement& r, const JointPoints& points, std::int32_t joint,
-                 std::int32_t cell, std::vector<std::uint32_t>& ring) {
-    for (const CellSide& side : p.cell(cell)) {
-        const CellArc& arc = p.arcs[side.arc];
-        const std::int32_t inner = r.pieces[side.arc] - 1;
-        ring.push_back(points.first[joint] + (side.reversed ? arc.to : arc.from) - p.vertex_first[joint]);
-        for (std::int32_t i = 0; i < inner; ++i)
-            ring.push_back(points.arc_first[side.arc] + (side.reversed ? inner - 1 - i : i));
-    }
-}
-
 }  // namespace sinew::sqm

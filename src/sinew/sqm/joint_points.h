@@ -78,8 +78,21 @@ double reach_of_joint(const Network& network, const JointPoints& points, std::in
 double exit_without_dents(const Network& network, const JointPoints& points, std::int32_t joint,
                           const Vec3& ray);
 
-/// Appends the points round a cell, counter-clockwise seen from outside. The first one is a joint's vertex.
-void append_ring(const Polyhedra& polyhedra, const Refinement& refinement, const JointPoints& points,
-                 std::int32_t joint, std::int32_t cell, std::vector<std::uint32_t>& ring);
+/// visit(point) for the points round a cell, counter-clockwise seen from outside. The first one is a joint's
+/// vertex.
+template <class Visit>
+void for_ring(const Polyhedra& polyhedra, const Refinement& refinement, const JointPoints& points,
+              std::int32_t joint, std::int32_t cell, Visit visit) {
+    const std::uint32_t corners = points.first[joint] - polyhedra.vertex_first[joint];
+    for (const CellSide& side : polyhedra.cell(cell)) {
+        const CellArc& arc = polyhedra.arcs[side.arc];
+        const std::uint32_t first = points.arc_first[side.arc], end = first + refinement.pieces[side.arc] - 1;
+        visit(corners + (side.reversed ? arc.to : arc.from));
+        if (side.reversed)
+            for (std::uint32_t i = end; i > first; --i) visit(i - 1);
+        else
+            for (std::uint32_t i = first; i < end; ++i) visit(i);
+    }
+}
 
 }  // namespace sinew::sqm

@@ -61,13 +61,15 @@ void take_joint(const PathWork& w, const PathEnd& end, bool is_far, JointSide& s
     side.room = 0;
     if (!end.at_joint()) return;
     side.cell = w.p.cell_first[end.joint] + end.slot;
-    side.ring.clear();
-    append_ring(w.p, w.r, w.points, end.joint, side.cell, side.ring);
-    if (is_far) std::reverse(side.ring.begin(), side.ring.end());
     side.centre = w.s.position[w.n.joint_node[end.joint]];
-    side.points.resize(side.ring.size());
-    for (std::size_t k = 0; k < side.ring.size(); ++k)
-        side.points[k] = w.points.position[side.ring[k]] - side.centre;
+    side.ring.resize(w.sides);
+    side.points.resize(w.sides);
+    std::int32_t k = is_far ? w.sides : -1;
+    for_ring(w.p, w.r, w.points, end.joint, side.cell, [&](std::uint32_t point) {
+        k += is_far ? -1 : 1;
+        side.ring[k] = point;
+        side.points[k] = w.points.position[point] - side.centre;
+    });
     const std::int32_t slot = w.n.slot_first[end.joint] + end.slot;
     const ConeFrom& cone = w.points.cone[slot];
     side.axis = cone.axis;

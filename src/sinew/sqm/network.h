@@ -63,6 +63,14 @@ struct Network {
     }
 };
 
+/// Whether no node of a path has a form.
+inline bool is_plain(const Plain& skeleton, const Network& network, std::int32_t path) {
+    if (skeleton.forms.empty()) return true;
+    for (const std::int32_t node : network.nodes(path))
+        if (skeleton.form_of[node] >= 0) return false;
+    return true;
+}
+
 Network find_network(const Plain& skeleton);
 
 }  // namespace sinew::sqm

@@ -97,7 +97,7 @@ bool leads_to_pit(const PathWork& w, std::int32_t bone) {
 void place_rings(PathWork& w, bool keep_all) {
     w.kept.assign(w.count(), 1);
     w.bored.clear();
-    if (!w.s.forms.empty() && !w.closed) find_bores(w);
+    if (!w.plain && !w.closed) find_bores(w);
     if (!keep_all && !w.closed) leave_out_nodes(w);
     w.rings.clear();
     if (!w.closed && !w.near.any()) add_end_rings(w, false);

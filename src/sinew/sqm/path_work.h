@@ -39,6 +39,7 @@ struct PathWork {
     std::int32_t path = 0, sides = 0;
     std::span<const std::int32_t> nodes, bones;
     bool closed = false;
+    bool plain = false;               ///< no node of the path has a form
     double edge = 1;                  ///< of a ring of radius 1
     portable::SineCosine step{0, 1};  ///< of the angle from a column to the next, spread evenly
     JointSide near, far;
@@ -57,7 +58,7 @@ struct PathWork {
     }
     const Vec3& position(std::int32_t i) const { return s.position[node(i)]; }
     double radius(std::int32_t i) const { return s.radius[node(i)]; }
-    const Form* form(std::int32_t i) const { return s.form(node(i)); }
+    const Form* form(std::int32_t i) const { return plain ? nullptr : s.form(node(i)); }
     Vec3 direction(std::int32_t bone) const { return (position(bone + 1) - position(bone)).normalized(); }
     BoneKind kind(std::int32_t bone) const { return s.bone_kind[bones[bone]]; }
     bool is_inner(std::int32_t i) const { return closed || (i > 0 && i + 1 < count()); }

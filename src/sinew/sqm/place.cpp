@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -64,9 +65,15 @@ class Placer {
         const Station& ring = d_.stations.stations[i];
         const Vec3 y = ring.tangent.cross(ring.x);
         const auto put = [&](auto from_ray) {
-            for (std::size_t k = 0; k < to.size(); ++k) {
-                const auto [sine, cosine] = portable::sine_cosine(angle(k));
-                to[k] = from_ray(cosine * ring.x + sine * y).template cast<float>();
+            std::array<double, 16> angles;
+            std::array<portable::SineCosine, 16> turned;
+            for (std::size_t first = 0; first < to.size(); first += angles.size()) {
+                const std::size_t count = std::min(angles.size(), to.size() - first);
+                for (std::size_t k = 0; k < count; ++k) angles[k] = angle(first + k);
+                portable::sine_cosine({angles.data(), count}, turned.data());
+                for (std::size_t k = 0; k < count; ++k)
+                    to[first + k] =
+                        from_ray(turned[k].cosine * ring.x + turned[k].sine * y).template cast<float>();
             }
         };
         if (ring.shape == RingShape::outline) {
@@ -164,7 +171,7 @@ class Placer {
                 });
         }
         poles(p);
-        place_dent_rings(d_, p, out_);
+        if (!d_.points.pits.empty()) place_dent_rings(d_, p, out_);
         if (options_.ideal) pull_in(p);
         follow(p);
     }
@@ -198,9 +205,13 @@ class Placer {
         return out_.path_vertex[p] + (i - d_.stations.first[p]) * d_.refinement.path_sides[p] + k;
     }
     void origin(std::uint32_t vertex, std::int32_t sides, const Station& ring) {
-        std::fill_n(&out_.mesh.vertex_node[vertex], sides, d_.skeleton.source_node[ring.node]);
-        std::fill_n(&out_.mesh.vertex_bone[vertex], sides, d_.skeleton.source_bone[ring.bone]);
-        std::fill_n(&out_.mesh.vertex_along[vertex], sides, ring.along);
+        const std::int32_t node = d_.skeleton.source_node[ring.node],
+                           bone = d_.skeleton.source_bone[ring.bone];
+        for (std::uint32_t v = vertex; v < vertex + sides; ++v) {
+            out_.mesh.vertex_node[v] = node;
+            out_.mesh.vertex_bone[v] = bone;
+            out_.mesh.vertex_along[v] = ring.along;
+        }
     }
 
     /// Rings between a joint and the first proper one, or the pole: along great circles, out to the joint's

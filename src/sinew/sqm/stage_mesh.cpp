@@ -70,7 +70,7 @@ QuadMesh refined_mesh(const Plain& skeleton, const Network& network, const Polyh
         }
         for (std::int32_t c = p.cell_first[j]; c < p.cell_first[j + 1]; ++c) {
             ring.clear();
-            append_ring(p, refinement, points, j, c, ring);
+            for_ring(p, refinement, points, j, c, [&](std::uint32_t point) { ring.push_back(point); });
             mesh.add_face(ring);
         }
     }

@@ -43,6 +43,7 @@ void build(PathWork& w, std::int32_t path, std::int32_t least_rings) {
     w.nodes = w.n.nodes(path);
     w.bones = w.n.bones(path);
     w.closed = w.n.path_closed[path];
+    w.plain = is_plain(w.s, w.n, path);
     if (const std::int32_t sides = w.r.path_sides[path]; sides != w.sides) {
         w.sides = sides;
         w.edge = 2 * portable::sine_cosine(M_PI / sides).sine;
