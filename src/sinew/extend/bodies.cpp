@@ -38,10 +38,15 @@ void add_surface_bones(PlainBuilder& b, std::int32_t node, const Frame& frame, d
     };
     for (const Vec3& axis : {frame.x, frame.y, frame.z})
         for (const double sign : {1.0, -1.0}) {
-            Vec3 ray = sign * axis;
-            if (near(ray)) continue;
+            const Vec3 straight = sign * axis;
+            if (near(straight)) continue;
+            Vec3 ray = straight;  // dents on both sides push alike, in whatever order they are drawn
             for (const std::int32_t other : drawn)
-                if (b.is_pit(other)) ray = clear_of_dent(b, node, other, reach, ray);
+                if (b.is_pit(other)) ray += clear_of_dent(b, node, other, reach, straight) - straight;
+            if (ray.norm() > 0.5)
+                ray.normalize();
+            else
+                ray = straight;
             if (near(ray)) continue;
             const std::int32_t tip = b.add_node(b.position(node) + reach * ray, 0.5 * reach, node);
             b.set_cap(tip, Cap::surface);

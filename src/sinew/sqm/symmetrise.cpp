@@ -192,6 +192,13 @@ class VertexImages {
             } while (p != askew);
         }
     }
+    /// Whether no symmetry takes a ring onto itself: then its images can be copies of it, whatever it is like.
+    bool is_copied(std::uint32_t ring, std::int32_t n) const {
+        std::int32_t copies = 1;
+        for (std::uint32_t v = image_[ring]; v < ring || v >= ring + n; v = image_[v])
+            if (v == no_vertex || ++copies > images_.order) return false;
+        return copies == images_.order;
+    }
     /// A ring that has corners where its neighbours have sides in the mirror cannot be symmetric together
     /// with them: such a ring keeps its shape.
     void leave_askew(std::int32_t p) {
@@ -201,6 +208,7 @@ class VertexImages {
             const bool free = station.shape == RingShape::follow || station.shape == RingShape::pit;
             const double far = 0.09 * (free ? d_.skeleton.radius[station.node] : station.half.minCoeff());
             const std::uint32_t ring = bridge_.path_vertex[p] + (i - first) * n;
+            if (station.shape != RingShape::outline && is_copied(ring, n)) continue;
             for (std::uint32_t v = ring; v < ring + n; ++v)
                 if (image_[v] != no_vertex &&
                     (images_.generator * position(v) - position(image_[v])).norm() > far)
