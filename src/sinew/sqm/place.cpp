@@ -97,7 +97,7 @@ class Placer {
             if (const Station* next = next_bend(i, p, back)) bend.keep_from(*next, back);
         return bend;
     }
-    /// The ring at the next node of a path, if there is one.
+    /// The ring at the next node of a path, if there is one: no more than a few stand between both.
     const Station* next_bend(std::int32_t i, std::int32_t p, bool back) const {
         const Stations& s = d_.stations;
         const std::int32_t first = s.first[p], count = s.first[p + 1] - first, step = back ? count - 1 : 1;
