@@ -57,6 +57,7 @@ void offer_steep(PathWork& w, std::int32_t bone, const ConeFrom& cone, double lo
             if (std::abs(h - height) < gap) return;
         w.heights.push_back(height);
     };
+    if (std::abs(cone.sine) <= steep) return;
     const double half_slope = cone.sine / std::sqrt(2 * (1 + cone.cosine));  // sine of half the angle
     const bool from_leaf = !w.closed && bone == 0 && !w.near.any();
     const bool to_leaf = !w.closed && bone + 1 == w.bone_count() && !w.far.any();
@@ -92,7 +93,7 @@ void add_bone_rings(PathWork& w, std::int32_t bone) {
     const bool shaped =
         w.is_shaped(bone) || w.is_shaped(bone + 1) || shaped_joint(w, bone) || shaped_joint(w, bone + 1);
     if (!shaped) offer_steep(w, bone, cone, low, high);
-    std::sort(w.heights.begin(), w.heights.end());
+    if (w.heights.size() > 1) std::sort(w.heights.begin(), w.heights.end());
     for (const double height : w.heights) {
         Station& ring = add_ring(w, w.position(bone) + height * cone.axis, w.way(bone),
                                  cone.radius_at(height), bone, height / cone.length);

@@ -15,19 +15,19 @@ struct Seen {
         : point(&place), square(place.squaredNorm()), along(place.dot(axis)) {}
 };
 
-/// Cosine of the angle between the bone and the arc between two points' directions, if the nearest point is
-/// not one of its ends; else -1.
-double cosine_to_inside(const Seen& from, const Seen& to) {
+/// Squared cosine of the angle between the bone and the arc between two points' directions, if the nearest
+/// point is not one of its ends; else 0.
+double square_to_inside(const Seen& from, const Seen& to) {
     const double aa = from.square, bb = to.square, ab = from.point->dot(*to.point);
     const double a = from.along, b = to.along;
-    if (!(b * aa > a * ab && a * bb > b * ab)) return -1;
-    const double square = (a * a * bb + b * b * aa - 2 * ab * a * b) / (aa * bb - ab * ab);
-    return std::sqrt(std::clamp(square, 0.0, 1.0));  // length of what the axis throws on the plane of the arc
+    if (!(b * aa > a * ab && a * bb > b * ab)) return 0;
+    return (a * a * bb + b * b * aa - 2 * ab * a * b) /
+           (aa * bb - ab * ab);  // of the axis in the arc's plane
 }
 
 /// How far the joint's points go, and at what angles to the bone they and the arcs between them are.
 void look_along(const Vec3& axis, JointSide& side) {
-    double reach = 0, farthest = 0, widest = 1, narrowest = -1;
+    double reach = 0, farthest = 0, widest = 1, narrowest = -1, inside = 0;
     Seen before(side.points.back(), axis);
     for (const Vec3& place : side.points) {
         const Seen seen(place, axis);
@@ -36,13 +36,14 @@ void look_along(const Vec3& axis, JointSide& side) {
         farthest = std::max(farthest, distance);
         widest = std::min(widest, cosine);
         narrowest = std::max(narrowest, cosine);
-        narrowest = std::max(narrowest, cosine_to_inside(before, seen));
+        inside = std::max(inside, square_to_inside(before, seen));
         before = seen;
     }
     side.reach = reach;
     side.farthest = farthest;
     side.widest = widest;
-    side.room = narrowest > 0 ? std::sqrt(std::max(0.0, 1 - narrowest * narrowest)) / narrowest : 0;
+    const double nearest = std::max(narrowest, std::sqrt(std::min(inside, 1.0)));
+    side.room = nearest > 0 ? std::sqrt(std::max(0.0, 1 - nearest * nearest)) / nearest : 0;
 }
 
 /// How far along its bone the side of a cone needs to be inside the directions of its cell, so that it cannot

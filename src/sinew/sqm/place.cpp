@@ -48,14 +48,17 @@ class Placer {
     Vec3 position(std::uint32_t vertex) const { return out_.mesh.positions[vertex].cast<double>(); }
 
     void joints() {
-        for (std::int32_t j = 0; j < n_.joint_count(); ++j) {
-            const std::int32_t node = n_.joint_node[j];
-            const Vec3& centre = d_.skeleton.position[node];
-            for (std::uint32_t v = d_.points.first[j]; v < d_.points.first[j + 1]; ++v) {
-                const Vec3& point = d_.points.position[v];
-                const Vec3 on_ball = centre + d_.skeleton.radius[node] * (point - centre).normalized();
-                set(v, options_.ideal ? point : on_ball, node);
-            }
+        tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n_.joint_count(), 128), [&](const auto& range) {
+            for (std::int32_t j = range.begin(); j < range.end(); ++j) joint(j);
+        });
+    }
+    void joint(std::int32_t j) {
+        const std::int32_t node = n_.joint_node[j];
+        const Vec3& centre = d_.skeleton.position[node];
+        const double radius = d_.skeleton.radius[node];
+        for (std::uint32_t v = d_.points.first[j]; v < d_.points.first[j + 1]; ++v) {
+            const Vec3& point = d_.points.position[v];
+            set(v, options_.ideal ? point : Vec3(centre + radius * (point - centre).normalized()), node);
         }
     }
 
