@@ -11,6 +11,7 @@ std::vector<Mat3> images_of(const Symmetry& symmetry) {
                       : symmetry.kind == Symmetry::Kind::mirror ? 2
                                                                 : symmetry.count;
     std::vector<Mat3> images;
+    images.reserve(count);
     for (int i = 0; i < count; ++i) images.push_back(symmetry_transform(symmetry, i));
     return images;
 }

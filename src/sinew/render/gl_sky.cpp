@@ -40,8 +40,9 @@ std::vector<Vec3f> sky_directions(const Vec3f& key, int key_count, int sky_count
             (key + static_cast<float>(x) * side + static_cast<float>(y) * upward).normalized());
     }
     for (int i = 0; i < sky_count; ++i) {  // a spiral over half the sky, and its mirror image
-        const double z = 1 - (1 - lowest_sky) * (i / 2 + 0.5) / ((sky_count + 1) / 2);
-        const double turn = std::fmod(golden_angle / 2 * (i / 2), std::numbers::pi), r = std::sqrt(1 - z * z);
+        const int pair = i / 2, pairs = (sky_count + 1) / 2;
+        const double z = 1 - (1 - lowest_sky) * (pair + 0.5) / pairs;
+        const double turn = std::fmod(golden_angle / 2 * pair, std::numbers::pi), r = std::sqrt(1 - z * z);
         directions.emplace_back((i % 2 ? -1 : 1) * r * std::sin(turn), r * std::cos(turn), z);
     }
     return directions;

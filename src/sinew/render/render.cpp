@@ -49,6 +49,7 @@ Result<Renderer> Renderer::create() {
     if (!context) return fail(context.error());
     auto scene = GlScene::create();
     if (!scene) return fail(scene.error());
+    // NOLINTNEXTLINE(modernize-make-unique): an aggregate that cannot be moved
     return Renderer(std::unique_ptr<State>(new State{std::move(*context), std::move(*scene)}));
 }
 
