@@ -192,7 +192,8 @@ class VertexImages {
             } while (p != askew);
         }
     }
-    /// Whether no symmetry takes a ring onto itself: then its images can be copies of it, whatever it is like.
+    /// Whether no symmetry takes a ring onto itself: then its images can be copies of it, whatever it is
+    /// like.
     bool is_copied(std::uint32_t ring, std::int32_t n) const {
         std::int32_t copies = 1;
         for (std::uint32_t v = image_[ring]; v < ring || v >= ring + n; v = image_[v])
