@@ -81,6 +81,7 @@ class Caster {
     void gather_in_groove(const CellArc& arc, std::int32_t pieces, Vec3* inner) const {
         if (!is_pit(arc.left) || !is_pit(arc.right)) return;
         constexpr std::int32_t samples = 65;
+        constexpr double longest_outside = 0.25;  // radians
         std::array<Vec3, samples + 2> ray;
         ray.front() = p_.vertices[arc.from], ray.back() = p_.vertices[arc.to];
         divide_arc(p_, arc, samples + 1, &ray[1]);
@@ -106,10 +107,18 @@ class Caster {
         // An end in the groove, where more than two dents meet, is in the middle of its floor.
         const double from = first > 0 ? rim(first, first - 1) : 0,
                      to = last <= samples ? rim(last, last + 1) : samples + 1;
-        const std::int32_t begin = first > 0 ? 0 : -1, end = last <= samples ? pieces - 2 : pieces - 1;
+        // A long way outside gets a point of its own, or its edge would cut a furrow into the surface.
+        const double sample = arc_length(p_, arc) / (samples + 1);
+        const bool long_from = from * sample > longest_outside,
+                   long_to = (samples + 1 - to) * sample > longest_outside;
+        if (long_from) inner[0] = ray_at(0.5 * from);
+        if (long_to) inner[pieces - 2] = ray_at(0.5 * (to + samples + 1));
+        const std::int32_t begin = first > 0 ? (long_from ? 1 : 0) : -1,
+                           end = last <= samples ? pieces - 2 - (long_to ? 1 : 0) : pieces - 1;
         const double start = first > 0 ? 0 : 0.5 * M_PI, stop = last <= samples ? M_PI : 0.5 * M_PI;
         const auto height = [](double angle) { return portable::sine_cosine(angle).cosine; };
-        for (std::int32_t i = 0; i < pieces - 1; ++i) {  // evenly down the wall, over the floor and up again
+        for (std::int32_t i = std::max(begin, 0); i <= std::min(end, pieces - 2);
+             ++i) {  // evenly down the wall, over the floor and up again
             const double angle = start + (stop - start) * (i - begin) / (end - begin);
             const double share = (height(start) - height(angle)) / (height(start) - height(stop));
             inner[i] = ray_at(from + share * (to - from));

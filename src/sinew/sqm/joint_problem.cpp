@@ -8,7 +8,7 @@ namespace sinew::sqm {
 namespace {
 
 constexpr std::int32_t across_groove =
-    8;  // pieces of an arc between two dents: over rim, wall, floor, wall, rim
+    10;  // pieces of an arc between two dents: to the rim, over wall, floor, wall and rim, and on
 constexpr double longest_on_ball = 0.6;  // radians of an arc in one piece on a ball
 
 /// Arcs with both ends in common must not be one edge each.
