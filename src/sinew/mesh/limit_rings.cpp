@@ -33,6 +33,7 @@ Row new_edge_point(const VertexRing& ring, Eigen::Index i) {
 Row new_vertex(const VertexRing& ring) {
     const std::vector<Eigen::Index> sharp = sharp_in_ring(ring);
     std::vector<SharpSpoke> spokes;
+    spokes.reserve(sharp.size());
     for (const Eigen::Index i : sharp)
         spokes.push_back({.sharpness = ring.sharpness[static_cast<std::size_t>(i)]});
     const VertexRule rule = vertex_rule(spokes, false);

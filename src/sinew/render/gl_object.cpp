@@ -133,7 +133,7 @@ void set_attributes(const Buffer& buffer, std::size_t stride, std::span<const At
     for (const Attribute& a : attributes) {
         glEnableVertexAttribArray(a.location);
         glVertexAttribPointer(a.location, a.components, a.type, a.normalized, static_cast<int>(stride),
-                              reinterpret_cast<const void*>(a.offset));
+                              reinterpret_cast<const void*>(a.offset));  // NOLINT(performance-no-int-to-ptr)
         glVertexAttribDivisor(a.location, divisor);
     }
     glBindBuffer(GL_ARRAY_BUFFER, 0);

@@ -118,6 +118,7 @@ std::vector<Crease> finer_creases(const Level& level, const Sharpness& coarse) {
 std::vector<Circle> finer_circles(const Level& level, const Rounds& coarse,
                                   const std::vector<Circle>& control) {
     std::vector<Circle> finer;
+    finer.reserve(control.size());
     for (const Circle& circle : control) finer.push_back({circle.centre, circle.axis, circle.radius, {}});
     for (const auto& [edge, circle] : coarse.edges) {
         const auto [a, b] = ends_of(level, edge);
