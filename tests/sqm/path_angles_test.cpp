@@ -36,6 +36,21 @@ TEST(PathFrame, AnglesOnceRoundIncrease) {
     EXPECT_NEAR(even_phase(even), 0.3, 1e-12);
 }
 
+TEST(PathFrame, AnglesOfARingThatIsSeenAskewHaveOnePhaseWhereverTheyBegin) {
+    const std::vector<double> ring{0.76, 0.74, 0.5, -2.83, -2.82, -2.08, -0.69, -0.3, -0.14, 0.05, 0.27};
+    const double step = 2 * M_PI / 11;
+    std::vector<double> first = ring;
+    unwrap(first);
+    for (int begin = 1; begin < 11; ++begin) {
+        std::vector<double> angles = ring;
+        std::rotate(angles.begin(), angles.begin() + begin, angles.end());
+        unwrap(angles);
+        const double columns = (even_phase(angles) - even_phase(first)) / step - begin;
+        EXPECT_NEAR(columns, 11 * std::round(columns / 11), 1e-9) << begin;
+        EXPECT_LT(angles.back() - angles.front(), 4 * M_PI);
+    }
+}
+
 TEST(PathAngles, StandEvenlyRoundTheTube) {
     const Stages s(star(fan(5)), 8);
     for (std::int32_t p = 0; p < s.network.path_count(); ++p)

@@ -51,6 +51,22 @@ inline double angle_round(const Vec3& v, const Vec3& x, const Vec3& y) {
     return portable::angle_of(v.dot(y), v.dot(x));
 }
 
+/// Angles that do not go once round, as those of a ring that is seen askew: each becomes the nearest one to
+/// even spacing, whichever of them is the first.
+inline void unwrap_uneven(std::span<double> angles) {
+    const double turn = 2 * M_PI, step = turn / static_cast<double>(angles.size());
+    double x = 0, y = 0;
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+        const auto [sine, cosine] = portable::sine_cosine(angles[k] - step * static_cast<double>(k));
+        x += cosine, y += sine;
+    }
+    const double phase = portable::angle_of(y, x);
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+        const double even = phase + step * static_cast<double>(k);
+        angles[k] += turn * std::round((even - angles[k]) / turn);
+    }
+}
+
 /// Makes angles in (-pi, pi] that go once round increase from the first one on.
 inline void unwrap(std::span<double> angles) {
     for (std::size_t k = 1; k < angles.size(); ++k) {
@@ -58,6 +74,7 @@ inline void unwrap(std::span<double> angles) {
         while (step < 0) step += 2 * M_PI;
         angles[k] = angles[k - 1] + step;
     }
+    if (!angles.empty() && angles.back() - angles.front() > 2 * M_PI) unwrap_uneven(angles);
 }
 
 /// The angle g for which g + 2 pi k / n is nearest to the unwrapped angles.
