@@ -66,6 +66,7 @@ Pipeline::~Pipeline() = default;
 LiveMesh Pipeline::run(const Document& document, const MeshOptions& options, const Progress& progress,
                        bool with_buffers) {
     LiveMesh result;
+    result.options = options;
     Watch watch;
     if (auto sound = validate(document); !sound) {
         result.error = sound.error();

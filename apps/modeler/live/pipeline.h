@@ -28,6 +28,7 @@ struct MeshOptions {
 /// A surface and how it came about.
 struct LiveMesh {
     std::uint64_t revision = 0;            ///< of the model, as ordered
+    MeshOptions options;                   ///< as ordered
     std::shared_ptr<const QuadMesh> mesh;  ///< null where it failed
     std::shared_ptr<const MeshBuffers> buffers;
     std::optional<Error> error;

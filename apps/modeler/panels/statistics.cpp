@@ -68,14 +68,15 @@ void Statistics::show_mesh(const std::shared_ptr<const LiveMesh>& mesh) {
         for (QLabel* label : {vertices_, quads_, triangles_, irregular_, closed_, time_}) label->setText("-");
         return;
     }
-    vertices_->setText(grouped(static_cast<std::int64_t>(mesh->mesh->vertex_count())));
     const double all = mesh->skin_ms + mesh->subdivide_ms + mesh->buffers_ms;
     time_->setText(QString("%1 ms").arg(all, 0, 'f', 1));
     time_->setToolTip(QString("Skin %1 ms, subdivide %2 ms, vertex buffers %3 ms")
                           .arg(mesh->skin_ms, 0, 'f', 1)
                           .arg(mesh->subdivide_ms, 0, 'f', 1)
                           .arg(mesh->buffers_ms, 0, 'f', 1));
+    // Measured when nothing newer is ordered: until then all figures stay those of the last mesh measured.
     if (!mesh->measures || !mesh->validation) return;
+    vertices_->setText(grouped(static_cast<std::int64_t>(mesh->mesh->vertex_count())));
     quads_->setText(grouped(mesh->measures->quads));
     triangles_->setText(grouped(mesh->measures->triangles));
     irregular_->setText(

@@ -25,9 +25,9 @@ class MeshKeeper {
 
     /// The last mesh that was shown; null at first.
     const std::shared_ptr<const LiveMesh>& mesh() const { return mesh_; }
-    /// True if what is shown is that of the document as it is now.
+    /// True if what is shown is that of the document and of the settings as they are now.
     bool up_to_date() const {
-        return mesh_ && mesh_->revision == model_.revision() && ordered_options_ == options();
+        return mesh_ && mesh_->revision == model_.revision() && mesh_->options == options();
     }
 
   private:

@@ -43,6 +43,21 @@ TEST(Statistics, count_the_mesh) {
     EXPECT_TRUE(panel.text("time").contains("ms"));
 }
 
+TEST(Statistics, are_all_of_one_mesh) {
+    Panel panel;
+    panel.statistics.show_mesh(panel.made(0));
+    const QString vertices = panel.text("vertices"), quads = panel.text("quads");
+    const auto finer = panel.made(1);
+    auto not_measured = std::make_shared<LiveMesh>(*finer);
+    not_measured->measures.reset();
+    panel.statistics.show_mesh(not_measured);
+    EXPECT_EQ(panel.text("vertices"), vertices);
+    EXPECT_EQ(panel.text("quads"), quads);
+    panel.statistics.show_mesh(finer);
+    EXPECT_NE(panel.text("vertices"), vertices);
+    EXPECT_NE(panel.text("quads"), quads);
+}
+
 TEST(Statistics, say_nothing_of_a_mesh_that_is_not_there) {
     Panel panel;
     panel.statistics.show_mesh(panel.made(1));

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QStatusBar>
+#include <QTest>
 #include <QToolButton>
 
 #include "desk_window.h"
@@ -66,6 +67,23 @@ TEST(StatusLine, shows_selection_symmetry_and_mesh) {
     text("selected");
     EXPECT_EQ(symmetry->text(), "mirror y");
     EXPECT_TRUE(symmetry->menu()->actions().contains(desk.actions.find("symmetry.x")));
+}
+
+TEST(StatusLine, says_skinning_until_the_level_that_was_chosen_is_there) {
+    DeskWindow desk;
+    StatusLine line(*desk.window.statusBar(), desk.actions);
+    MeshKeeper meshes(desk.desk.model, desk.desk.view, [](const auto&) {});
+    const auto state = [&] {
+        line.show(desk.desk.model, desk.desk.tools, desk.desk.view, meshes);
+        return desk.window.statusBar()->findChild<QLabel*>("mesh_state")->text();
+    };
+    for (const int level : {1, 2}) {
+        desk.desk.view.level = level;
+        EXPECT_EQ(state(), "skinning...");
+        meshes.refresh();
+        EXPECT_EQ(state(), "skinning...");  // ordered, not made
+        EXPECT_TRUE(QTest::qWaitFor([&] { return state() == QString("level %1").arg(level); }, 60000));
+    }
 }
 
 TEST(StatusLine, does_not_make_the_window_wider) {
