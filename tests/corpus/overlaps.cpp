@@ -17,6 +17,7 @@
 #include "sinew/io/skeleton_formats.h"
 #include "sinew/mesh/box_tree.h"
 #include "sinew/mesh/intersect.h"
+#include "sinew/mesh/measure.h"
 #include "sinew/mesh/triangulate.h"
 #include "sinew/skeleton/condition.h"
 #include "sinew/sqm/skin.h"
@@ -123,16 +124,6 @@ bool is_rounded(const QuadMesh& mesh, std::uint32_t face) {
     return shortest < 64 * std::numeric_limits<float>::epsilon() * farthest;
 }
 
-bool is_folded(const QuadMesh& mesh, std::uint32_t face) {
-    const auto vertices = mesh.face(face);
-    if (vertices.size() != 4) return false;
-    const auto at = [&](std::size_t k) -> Vec3 { return mesh.positions[vertices[k % 4]].cast<double>(); };
-    const Vec3 area = (at(2) - at(0)).cross(at(3) - at(1));
-    for (std::size_t k = 0; k < 4; ++k)
-        if (!((at(k + 1) - at(k)).cross(at(k + 3) - at(k)).dot(area) > 0)) return true;
-    return false;
-}
-
 struct Folded {
     int in_overlap = 0, rounded = 0, elsewhere = 0;
 };
@@ -140,7 +131,7 @@ struct Folded {
 Folded find_folded(const QuadMesh& mesh, const Cones& cones) {
     Folded folded;
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-        if (!is_folded(mesh, f)) continue;
+        if (mesh.face(f).size() != 4 || quad_quality(mesh, f) > 0) continue;
         bool in_overlap = false;
         Vec3 middle = Vec3::Zero();
         for (const std::uint32_t v : mesh.face(f)) {

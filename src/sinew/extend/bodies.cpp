@@ -1,7 +1,6 @@
 #include "sinew/extend/bodies.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "sinew/base/round_cone.h"
@@ -14,7 +13,7 @@ namespace {
 constexpr int pit_sides = 8;  // round a dent: with fewer, the surface beside it is pulled out of shape
 constexpr double bare =
     0.643;  // cosine of 50 degrees: an axis with no bone nearer than that gets one of its own
-constexpr double beyond_rim = 1.05;
+constexpr double beyond_rim = 1.05;  // of a dent's width: where its cell ends at the nearest
 
 /// The cell of a dent ends halfway to the next bone: if that were not beyond the dent's rim, the joint would
 /// fold over it. Turns a ray so far away from the dent, where it can.
@@ -80,17 +79,9 @@ bool narrow(double& half, double parent) {
 
 }  // namespace
 
-double exit_of_ellipsoid(const Form& form, const Vec3& ray) {
-    const Vec3 local(ray.dot(form.x) / form.half.x(), ray.dot(form.y) / form.half.y(),
-                     ray.dot(form.z) / form.half.z());
-    return 1 / local.norm();
-}
+double exit_of_ellipsoid(const Form& form, const Vec3& ray) { return 1 / form.local(ray).norm(); }
 
-double exit_of_box(const Form& form, const Vec3& ray) {
-    const Vec3 local(ray.dot(form.x) / form.half.x(), ray.dot(form.y) / form.half.y(),
-                     ray.dot(form.z) / form.half.z());
-    return 1 / local.cwiseAbs().maxCoeff();
-}
+double exit_of_box(const Form& form, const Vec3& ray) { return 1 / form.local(ray).cwiseAbs().maxCoeff(); }
 
 void add_ball(PlainBuilder& b, std::int32_t node) {
     const auto& scale = b.drawn(node).scale;

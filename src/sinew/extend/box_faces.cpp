@@ -25,8 +25,7 @@ Face face_of(const Form& box, const Vec3& centre, int index) {
 }
 
 int face_towards(const Form& box, const Vec3& offset) {
-    const Vec3 local(offset.dot(box.x) / box.half.x(), offset.dot(box.y) / box.half.y(),
-                     offset.dot(box.z) / box.half.z());
+    const Vec3 local = box.local(offset);
     int k = 0;
     local.cwiseAbs().maxCoeff(&k);
     return 2 * k + (local[k] < 0 ? 1 : 0);

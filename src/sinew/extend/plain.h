@@ -52,6 +52,11 @@ struct Form {
     bool fixed = false;        ///< ring: stands at right angles to z, whatever its bones do
     std::int32_t sides = 4;    ///< vertices that its paths have at least
     double sharpness = 0;  ///< of the crease on the ring; on a joint: of the creases where its tubes begin
+
+    /// A vector in the space where a ball is the unit ball and a box the cube from -1 to 1.
+    Vec3 local(const Vec3& v) const {
+        return {v.dot(x) / half.x(), v.dot(y) / half.y(), v.dot(z) / half.z()};
+    }
 };
 
 /// An ellipsoid is a round ball in a space of its own, where its cells and points are found as a ball's are:

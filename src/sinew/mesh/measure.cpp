@@ -208,6 +208,10 @@ void measure_box(const QuadMesh& mesh, Measures& result) {
 
 }  // namespace
 
+double quad_quality(const QuadMesh& mesh, std::size_t face) {
+    return scaled_jacobian(mesh, mesh.face(face), vector_area(mesh, mesh.face(face)));
+}
+
 Measures measure(const QuadMesh& mesh) { return measure(mesh, build_topology(mesh)); }
 
 Measures measure(const QuadMesh& mesh, const Topology& topology) {

@@ -45,6 +45,9 @@ struct Measures {
     Spread quad_aspect;        ///< longest over shortest side; quads with a side of no length left out
 };
 
+/// The scaled Jacobian of one quad.
+double quad_quality(const QuadMesh& mesh, std::size_t face);
+
 /// Measures a mesh in linear time. It must be well formed; vertices that are not finite spoil sizes, no more.
 /// The same on any number of threads.
 Measures measure(const QuadMesh& mesh);

@@ -42,6 +42,13 @@ struct Parts {
     const Stations& stations;
 };
 
+/// The vertex of column 0 of a ring: `station` counts through all paths.
+inline std::uint32_t first_of_ring(const Parts& parts, const Bridge& bridge, std::int32_t path,
+                                   std::int32_t station) {
+    return bridge.path_vertex[path] +
+           (station - parts.stations.first[path]) * parts.refinement.path_sides[path];
+}
+
 Result<Bridge> bridge(const Parts& parts, const Progress& progress = {});
 
 /// The ring of the joint at one end of a path, in the path's sense; entry k is where column k ends.

@@ -11,8 +11,7 @@ namespace sinew::sqm {
 namespace {
 
 constexpr double straight_down = 0.8;  // of the way to the joint's centre: deeper walls do not lead there
-constexpr double widest_rim = 0.93;    // of the way to a cell's border: leaves room for the surface beside it
-constexpr double halfway = 0.6;        // the same, where the groove goes on beyond it
+constexpr double halfway = 0.6;        // of the way to a cell's border, where the groove goes on beyond it
 constexpr double nearest_way = 0.3;    // the same, at least
 constexpr double bulge = 0.4;          // of the way from there back to the rim's vertices beside it
 constexpr int rim_samples = 48;        // of the part of a rim that lies in a cell
@@ -40,7 +39,7 @@ class DentRings {
         for (std::int32_t i = s.first[path_]; i < s.first[path_ + 1]; ++i) {
             const Station& ring = s.stations[i];
             if (ring.shape != RingShape::pit) continue;
-            Vec3f* at = &out_.mesh.positions[out_.path_vertex[path_] + (i - s.first[path_]) * sides];
+            Vec3f* at = &out_.mesh.positions[first_of_ring(d_, out_, path_, i)];
             for (std::int32_t k = 0; k < sides; ++k)
                 at[k] = (crowded ? on_way(k, ring.share) : on_wall(rim(ring, k), ring.share)).cast<float>();
         }
@@ -49,7 +48,7 @@ class DentRings {
   private:
     /// Whether other dents overlap this one, or others leave no room for its rim.
     bool is_crowded() const {
-        if (merges(d_.skeleton, n_, joint_, slot_)) return true;
+        if (merges(d_.points, joint_, slot_)) return true;
         for (const std::uint32_t v : border_) {
             const Vec3 way = (d_.points.position[v] - centre_).normalized();
             const double lean = way.dot(pit_.z);
@@ -122,18 +121,16 @@ class DentRings {
                 way_[k] = inside_[k] ? ray_towards(way_to(k), halfway) : rim_of(k);
             return;
         }
-        for (std::int32_t k = first; k < first + columns;) {
-            std::int32_t count = 1;
-            while (inside_[(k + count) % columns] == inside_[k % columns]) ++count;
-            if (!inside_[k % columns]) along_rim(k, count);
-            k += count;
-        }
-        for (std::int32_t k = first; k < first + columns;) {
-            std::int32_t count = 1;
-            while (inside_[(k + count) % columns] == inside_[k % columns]) ++count;
-            if (inside_[k % columns]) across_groove(k, count);
-            k += count;
-        }
+        const auto for_runs = [&](bool inside, auto visit) {
+            for (std::int32_t k = first; k < first + columns;) {
+                std::int32_t count = 1;
+                while (inside_[(k + count) % columns] == inside_[k % columns]) ++count;
+                if ((inside_[k % columns] != 0) == inside) visit(k, count);
+                k += count;
+            }
+        };
+        for_runs(false, [&](std::int32_t begin, std::int32_t count) { along_rim(begin, count); });
+        for_runs(true, [&](std::int32_t begin, std::int32_t count) { across_groove(begin, count); });
     }
     /// The rim on the way to the border, with room for the surface beyond it.
     Vec3 rim_of(std::int32_t k) const {

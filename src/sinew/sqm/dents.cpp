@@ -100,9 +100,10 @@ bool dents_overlap(const Plain& s, const Network& n, std::int32_t joint, std::in
     return overlap(pit_of(s, centre, a), pit_of(s, centre, b)) > 0;
 }
 
-bool merges(const Plain& s, const Network& n, std::int32_t joint, std::int32_t slot) {
-    for (std::int32_t other = n.slot_first[joint]; other < n.slot_first[joint + 1]; ++other)
-        if (other != slot && dents_overlap(s, n, joint, slot, other)) return true;
+bool merges(const JointPoints& points, std::int32_t joint, std::int32_t slot) {
+    const std::int32_t own = points.extra[slot];
+    for (std::int32_t other = points.pit_first[joint]; other < points.groove_first[joint]; ++other)
+        if (other != own && overlap(points.pits[own], points.pits[other]) > 0) return true;
     return false;
 }
 

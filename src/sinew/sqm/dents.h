@@ -15,13 +15,16 @@ void find_dents(const Plain& skeleton, const Network& network, JointPoints& poin
 bool dents_overlap(const Plain& skeleton, const Network& network, std::int32_t joint, std::int32_t slot,
                    std::int32_t other);
 
+/// How far a rim may go on the way to its cell's border: beyond is room for the surface beside it.
+inline constexpr double widest_rim = 0.93;
+
 /// Whether a joint has any.
 bool has_dents(const JointPoints& points, std::int32_t joint);
 
-/// Whether the dent of a slot does so with any other.
-bool merges(const Plain& skeleton, const Network& network, std::int32_t joint, std::int32_t slot);
+/// Whether the dent of a slot becomes one groove with any other.
+bool merges(const JointPoints& points, std::int32_t joint, std::int32_t slot);
 
-/// Whether any dents of a joint become a groove.
+/// Whether any dents of a joint do.
 bool has_groove(const JointPoints& points, std::int32_t joint);
 
 /// Where a ray from a joint's centre meets the floor once everything from `distance` on inwards that lies in
@@ -46,8 +49,10 @@ struct DentWall {
     Vec3 normal;           ///< out of the solid
     bool touches = false;  ///< the place is on it, or on its rim
 };
+DentWall nearest_wall(const JointPoints& points, std::int32_t joint, const Vec3& place);
+
+/// Whether a place is where the wall of a joint's dents ends.
 bool on_rim(const Network& network, const JointPoints& points, std::int32_t joint, const Vec3& centre,
             const Vec3& place);
-DentWall nearest_wall(const JointPoints& points, std::int32_t joint, const Vec3& place);
 
 }  // namespace sinew::sqm

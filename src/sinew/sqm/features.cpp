@@ -80,7 +80,7 @@ class FeatureWriter {
 
     void ring_features(std::int32_t p, std::int32_t i, const Station& ring) {
         const std::int32_t n = sides(p);
-        if (ring.shape == RingShape::pit && in_groove(p, ring))
+        if (ring.shape == RingShape::pit && ring.share == 1 && in_groove(p, ring))
             rim_of_groove(p, i, ring);
         else
             for (std::int32_t k = 0; k < n; ++k) crease(vertex(p, i, k), vertex(p, i, k + 1), ring.crease);
@@ -97,12 +97,11 @@ class FeatureWriter {
     }
     bool in_groove(std::int32_t p, const Station& ring) const {
         const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
-        return merges(d_.skeleton, n_, end.joint, n_.slot_first[end.joint] + end.slot);
+        return merges(d_.points, end.joint, n_.slot_first[end.joint] + end.slot);
     }
     /// The rim of a groove runs along the rings of its dents and from one to the next over the border between
     /// their cells, where faces lie to it otherwise than elsewhere: a crease makes it one smooth line.
     void rim_of_groove(std::int32_t p, std::int32_t i, const Station& ring) {
-        if (ring.share != 1) return;
         const int end = ring.far ? 1 : 0;
         const std::int32_t joint = n_.path_end[p][end].joint;
         const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];

@@ -22,8 +22,19 @@ constexpr double steepest_fitted = 0.3;  // cosine of a wall to its ray, in groo
 /// with four sides, where a third is lacking, three do.
 std::uint8_t joint_steps(std::int32_t sides) { return sides > 4 ? 1 : 3; }
 
-/// By how many times what a ring lacks its points have to move out.
-float gain_for(std::int32_t sides) { return static_cast<float>(1 / ring_limit_radius(sides)); }
+constexpr std::int32_t lone_sides = 8;  // of a lone node's sphere: of a cube's corners, edges and faces
+
+/// What the number of its sides makes of a ring.
+struct RingFactors {
+    float gain;    ///< by how many times what it lacks its points have to move out
+    double wider;  ///< target: passes through a circle as far outside of it as inside
+    double held;   ///< control points that have it: as if the rings on both sides were the same
+
+    explicit RingFactors(std::int32_t sides)
+        : gain(static_cast<float>(1 / ring_limit_radius(sides))),
+          wider(ring_fit_radius(sides)),
+          held(wider / ring_limit_radius(sides)) {}
+};
 
 /// How a vertex may move: along a line, or in the plane at right angles to one; along none it stays.
 struct Freedom {
@@ -43,6 +54,10 @@ class Fitter {
         : d_(parts), n_(parts.network), b_(bridge), freedom_(bridge.mesh.vertex_count()) {
         targets_.reserve(bridge.mesh.vertex_count());
         for (const Vec3f& position : bridge.mesh.positions) targets_.push_back(position.cast<double>());
+        std::int32_t most = lone_sides;
+        for (const std::int32_t sides : parts.refinement.path_sides) most = std::max(most, sides);
+        for (std::int32_t sides = 0; sides <= most; ++sides)
+            factors_.emplace_back(std::max(sides, 3));  // no ring has fewer
     }
 
     Result<std::vector<Vec3>> run() {
@@ -51,7 +66,6 @@ class Fitter {
         tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n_.path_count(), 64), [&](const auto& range) {
             for (std::int32_t p = range.begin(); p < range.end(); ++p) path(p);
         });
-        constexpr std::int32_t lone_sides = 8;  // of a cube's corners, edges and faces
         std::uint32_t vertex = b_.lone_vertex;
         for (const std::int32_t node : n_.lone)
             for (std::size_t i = 0; i < lone_sphere_points().size(); ++i)
@@ -68,7 +82,7 @@ class Fitter {
     void from(std::uint32_t vertex, const Vec3& centre, std::int32_t sides, std::uint8_t steps = fit_steps) {
         freedom_[vertex].axis = freedom_[vertex].lack =
             (targets_[vertex] - centre).normalized().cast<float>();
-        freedom_[vertex].gain = gain_for(sides);
+        freedom_[vertex].gain = factors_[sides].gain;
         freedom_[vertex].steps = steps;
     }
     /// A groove's walls are too steep for its points to move along rays: they do along the normals. Its rim
@@ -81,44 +95,52 @@ class Fitter {
         if (wall.normal.dot((targets_[vertex] - centre).normalized()) < steepest_fitted) return true;
         Freedom& freedom = freedom_[vertex];
         freedom.axis = freedom.lack = wall.normal.cast<float>();
-        freedom.gain = gain_for(joint_sides_[joint]);
+        freedom.gain = factors_[joint_sides_[joint]].gain;
         freedom.steps = fit_steps;
         return true;
     }
     /// How much wider a dent's rings are to be made: as those of tubes are, as far as the joint's cell has
     /// room for its rim.
-    double widening_of_dent(std::int32_t p, const Station& ring) const {
-        constexpr double most = 0.93;  // of the way to the cell's border
-        const Stations& s = d_.stations;
+    double widening_of_dent(std::int32_t p, std::int32_t rim) const {
+        const Station& ring = d_.stations.stations[rim];
         const auto sides = static_cast<std::size_t>(d_.refinement.path_sides[p]);
         std::vector<std::uint32_t> border;
         joint_ring_of_path(d_, p, ring.far ? 1 : 0, border);
-        std::int32_t rim = s.first[p];
-        while (s.stations[rim].shape != RingShape::pit || s.stations[rim].share < 1) ++rim;
-        const Vec3f* at = &b_.mesh.positions[first_of(p, rim)];
-        double wider = ring_fit_radius(int(sides)) / ring_limit_radius(int(sides));
+        const Vec3f* at = &b_.mesh.positions[first_of_ring(d_, b_, p, rim)];
+        double wider = factors_[sides].held;
         for (std::size_t k = 0; k < sides; ++k) {
             const double room = (targets_[border[k]] - ring.centre).norm(),
                          wide = (at[k].cast<double>() - ring.centre).norm();
-            wider = std::min(wider, most * room / wide);
+            wider = std::min(wider, widest_rim * room / wide);
         }
         return std::max(1.0, wider);
     }
-    /// Its points move up and down; the ring as a whole is made wider.
-    void dent_ring(std::int32_t p, std::int32_t i) {
+    /// The rings of the dent that a path leads into, if it does: their points move up and down; as a whole
+    /// they are made wider.
+    void dent(std::int32_t p) {
+        const Stations& s = d_.stations;
+        const auto is_pit = [&](std::int32_t i) { return s.stations[i].shape == RingShape::pit; };
+        std::int32_t rim = s.first[p];
+        while (rim < s.first[p + 1] && !(is_pit(rim) && s.stations[rim].share == 1)) ++rim;
+        if (rim == s.first[p + 1]) return;
+        const PathEnd& end = n_.path_end[p][s.stations[rim].far ? 1 : 0];
+        const bool merged = merges(d_.points, end.joint, n_.slot_first[end.joint] + end.slot);
+        const double wider = merged ? 1 : widening_of_dent(p, rim);
+        for (std::int32_t i = s.first[p]; i < s.first[p + 1]; ++i)
+            if (is_pit(i)) dent_ring(p, i, merged ? end.joint : -1, wider);
+    }
+    /// @param groove  the joint whose groove the ring is in; -1 if in none
+    void dent_ring(std::int32_t p, std::int32_t i, std::int32_t groove, double wider) {
         const Station& ring = d_.stations.stations[i];
-        const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
-        const bool merged = merges(d_.skeleton, n_, end.joint, n_.slot_first[end.joint] + end.slot);
-        const double wider = merged ? 1 : widening_of_dent(p, ring);
         const std::int32_t sides = d_.refinement.path_sides[p];
-        const std::uint32_t first = first_of(p, i);
+        const std::uint32_t first = first_of_ring(d_, b_, p, i);
         for (std::uint32_t v = first; v < first + sides; ++v) {
-            if (merged) {
-                from_joint(v, end.joint);
+            if (groove >= 0) {
+                from_joint(v, groove);
                 continue;
             }
             freedom_[v].axis = freedom_[v].lack = ring.tangent.cast<float>();
-            freedom_[v].gain = gain_for(sides);
+            freedom_[v].gain = factors_[sides].gain;
             freedom_[v].steps = fit_steps;
             const Vec3 out = targets_[v] - ring.centre;
             targets_[v] += (wider - 1) * (out - out.dot(ring.tangent) * ring.tangent);
@@ -170,14 +192,11 @@ class Fitter {
             const Station& ring = s.stations[i];
             const bool tube =
                 ring.shape == RingShape::node || (ring.shape == RingShape::circle && !ring.round);
-            if (ring.shape == RingShape::pit)
-                dent_ring(p, i);
-            else
-                path_ring(p, i, tube);
+            if (ring.shape != RingShape::pit) path_ring(p, i, tube);
             if (tube) along_tapers(p, i);
         }
-        const double held =
-            ring_fit_radius(d_.refinement.path_sides[p]) / ring_limit_radius(d_.refinement.path_sides[p]);
+        if (!d_.points.pits.empty()) dent(p);
+        const double held = factors_[d_.refinement.path_sides[p]].held;
         const std::array<bool, 2> round = fit_round_ends(d_, b_, p, held, targets_);
         for (int end = 0; end < 2; ++end)
             if (b_.path_pole[p][end] != no_vertex && !round[end]) path_pole(p, end);
@@ -186,8 +205,8 @@ class Fitter {
         const Station& ring = d_.stations.stations[i];
         const PathEnd& end = n_.path_end[p][ring.far ? 1 : 0];
         const std::int32_t sides = d_.refinement.path_sides[p];
-        const double wider = ring_fit_radius(sides), held = wider / ring_limit_radius(sides);
-        const std::uint32_t first = first_of(p, i);
+        const RingFactors& factors = factors_[sides];
+        const std::uint32_t first = first_of_ring(d_, b_, p, i);
         for (std::uint32_t v = first; v < first + sides; ++v) {
             if (ring.shape == RingShape::follow) {
                 from_joint(v, end.joint);
@@ -195,17 +214,17 @@ class Fitter {
             }
             Vec3& target = targets_[v];
             if (ring.fit != RingFit::through) {
-                if (ring.fit == RingFit::held) target = ring.centre + held * (target - ring.centre);
+                if (ring.fit == RingFit::held) target = ring.centre + factors.held * (target - ring.centre);
                 continue;  // as it stands, or with its round end
             }
             Freedom& freedom = freedom_[v];
             freedom.axis = freedom.lack = ring.tangent.cast<float>();
             freedom.in_plane = true;
-            freedom.gain = gain_for(sides);
+            freedom.gain = factors.gain;
             freedom.steps = fit_steps;
             // A smooth ring through the points of a circle runs inside it between them: half of that is
             // given back.
-            if (tube) target = ring.centre + wider * (target - ring.centre);
+            if (tube) target = ring.centre + factors.wider * (target - ring.centre);
         }
     }
     void along_tapers(std::int32_t p, std::int32_t i) {
@@ -215,7 +234,7 @@ class Fitter {
         const bool is_first = i == s.first[p], is_last = i + 1 == s.first[p + 1];
         const bool before = !is_first && tapers(s.stations[i - 1], ring),
                    after = !is_last && tapers(ring, s.stations[i + 1]);
-        const std::uint32_t first = first_of(p, i);
+        const std::uint32_t first = first_of_ring(d_, b_, p, i);
         for (std::uint32_t v = first; v < first + sides; ++v) {
             freedom_[v].before = is_first ? tip(p, 0) : before ? v - sides : no_vertex;
             freedom_[v].after = is_last ? tip(p, 1) : after ? v + sides : no_vertex;
@@ -231,10 +250,6 @@ class Fitter {
         else
             from(pole, d_.skeleton.position[other], d_.refinement.path_sides[p]);
     }
-    std::uint32_t first_of(std::int32_t p, std::int32_t station) const {
-        return b_.path_vertex[p] + (station - d_.stations.first[p]) * d_.refinement.path_sides[p];
-    }
-
     static bool tapers(const Station& ring, const Station& next) {
         return ring.to_next == BoneKind::tube && ring.shape != RingShape::follow &&
                next.shape != RingShape::follow &&
@@ -286,6 +301,7 @@ class Fitter {
     const Bridge& b_;
     std::vector<Vec3> targets_;
     std::vector<Freedom> freedom_;
+    std::vector<RingFactors> factors_;       ///< by the number of sides
     std::vector<std::int32_t> joint_sides_;  ///< joint -> of its path of fewest sides
 };
 

@@ -22,7 +22,6 @@ std::int32_t widest_bone(const PathWork& w) {
 /// Where a path turns straight back into itself it bores a hole: its rings go on as the same tube, inwards,
 /// and are not turned over.
 void find_bores(PathWork& w) {
-    w.bored.clear();
     bool inside = false, any = false;
     for (std::int32_t b = 0; b < w.bone_count(); ++b) {
         if (b > 0 && w.direction(b - 1).dot(w.direction(b)) < -0.999) inside = !inside, any = true;

@@ -165,7 +165,7 @@ class Placer {
         const double* far = &s.far_uneven[s.angle_first[p]];
         for (std::int32_t i = first; i < end; ++i) {
             const Station& ring = s.stations[i];
-            const std::uint32_t vertex = out_.path_vertex[p] + (i - first) * sides;
+            const std::uint32_t vertex = first_of_ring(d_, out_, p, i);
             origin(vertex, sides, ring);
             if (ring.shape == RingShape::follow || ring.shape == RingShape::pit) continue;
             ring_vertices(
@@ -191,7 +191,7 @@ class Placer {
             const bool in_a = near && may_be_pulled(ring, bones[0], nodes[1]),
                        in_b = far && may_be_pulled(ring, bones[last - 1], nodes[last - 1]);
             for (std::size_t k = 0; (in_a || in_b) && k < sides; ++k) {
-                Vec3f& at = out_.mesh.positions[vertex_at(p, i, static_cast<std::int32_t>(k))];
+                Vec3f& at = out_.mesh.positions[first_of_ring(d_, out_, p, i) + k];
                 const Vec3 v = at.cast<double>();
                 at = (in_a && in_b ? Vec3(0.5 * (a.pull_in(b.pull_in(v)) + b.pull_in(a.pull_in(v))))
                       : in_a       ? a.pull_in(v)
@@ -203,9 +203,6 @@ class Placer {
     CellRoom room_of_end(std::int32_t p, int end) const {
         const PathEnd& e = n_.path_end[p][end];
         return {d_.skeleton, n_, d_.polyhedra, d_.points, e.joint, e.slot};
-    }
-    std::uint32_t vertex_at(std::int32_t p, std::int32_t i, std::int32_t k) const {
-        return out_.path_vertex[p] + (i - d_.stations.first[p]) * d_.refinement.path_sides[p] + k;
     }
     void origin(std::uint32_t vertex, std::int32_t sides, const Station& ring) {
         const std::int32_t node = d_.skeleton.source_node[ring.node],
@@ -238,9 +235,9 @@ class Placer {
             joint_ring_of_path(d_, p, side, joint_ring);
             for (; i != proper; i += step)
                 for (std::int32_t k = 0; k < sides; ++k) {
-                    const std::uint32_t target = to_pole ? out_.path_pole[p][1 - side]
-                                                         : out_.path_vertex[p] + (proper - first) * sides + k;
-                    set(out_.path_vertex[p] + (i - first) * sides + k,
+                    const std::uint32_t target =
+                        to_pole ? out_.path_pole[p][1 - side] : first_of_ring(d_, out_, p, proper) + k;
+                    set(first_of_ring(d_, out_, p, i) + k,
                         between(e, position(joint_ring[k]), position(target), s.stations[i].share),
                         s.stations[i].node);
                 }

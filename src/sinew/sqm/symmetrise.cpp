@@ -208,7 +208,7 @@ class VertexImages {
             const Station& station = d_.stations.stations[i];
             const bool free = station.shape == RingShape::follow || station.shape == RingShape::pit;
             const double far = 0.09 * (free ? d_.skeleton.radius[station.node] : station.half.minCoeff());
-            const std::uint32_t ring = bridge_.path_vertex[p] + (i - first) * n;
+            const std::uint32_t ring = first_of_ring(d_, bridge_, p, i);
             if (station.shape != RingShape::outline && is_copied(ring, n)) continue;
             for (std::uint32_t v = ring; v < ring + n; ++v)
                 if (image_[v] != no_vertex &&
