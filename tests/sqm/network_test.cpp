@@ -25,11 +25,11 @@ void expect_sound(const Plain& skeleton, const Network& n) {
             const PathEnd& end = n.path_end[p][side];
             if (!end.at_joint()) continue;
             EXPECT_EQ(n.joint_node[end.joint], side == 0 ? nodes.front() : nodes.back());
-            EXPECT_EQ(n.slot_path[n.slot_first[end.joint] + end.slot], 2 * p + side);
+            EXPECT_EQ(n.slot_path[n.slot_first[end.joint] + end.slot], (PathAndEnd{p, side}));
         }
     }
     EXPECT_TRUE(std::all_of(walked.begin(), walked.end(), [](int times) { return times == 1; }));
-    EXPECT_EQ(std::count(n.slot_path.begin(), n.slot_path.end(), -1), 0);
+    EXPECT_EQ(std::count(n.slot_path.begin(), n.slot_path.end(), PathAndEnd{}), 0);
 }
 
 TEST(Network, OfAStarHasAPathABone) {

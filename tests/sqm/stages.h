@@ -9,9 +9,14 @@
 #include "property/random.h"
 #include "sinew/extend/extend.h"
 #include "sinew/skeleton/symmetry.h"
-#include "sinew/sqm/bridge.h"
-#include "sinew/sqm/place.h"
-#include "sinew/sqm/refine.h"
+#include "sinew/sqm/bridge/bridge.h"
+#include "sinew/sqm/bridge/features.h"
+#include "sinew/sqm/counts/refine.h"
+#include "sinew/sqm/fit/fit.h"
+#include "sinew/sqm/place/place.h"
+#include "sinew/sqm/place/symmetrise.h"
+#include "sinew/sqm/rings/stations.h"
+#include "sinew/sqm/surface/find_surfaces.h"
 
 namespace sinew::sqm {
 
@@ -137,6 +142,7 @@ struct Stages {
     Plain skeleton;
     Network network;
     Polyhedra polyhedra;
+    JointSurfaces surfaces;
     Images images;
     Refinement refinement;
     JointPoints points;
@@ -147,13 +153,14 @@ struct Stages {
         : skeleton(std::move(plain)),
           network(find_network(skeleton)),
           polyhedra(make_polyhedra(skeleton, network).value()),
+          surfaces(find_surfaces(skeleton, network)),
           images(find_images(skeleton, network, polyhedra)),
-          refinement(refine(skeleton, network, polyhedra, images, {.sides = sides}).value()),
-          points(make_joint_points(skeleton, network, polyhedra, refinement)),
-          stations(make_stations(skeleton, network, polyhedra, refinement, points)) {}
+          refinement(refine(skeleton, network, polyhedra, surfaces, images, {.sides = sides}).value()),
+          points(make_joint_points(skeleton, network, polyhedra, refinement, surfaces)),
+          stations(make_stations(skeleton, network, polyhedra, refinement, surfaces, points)) {}
     Stages(const Stages&) = delete;
 
-    Parts parts() const { return {skeleton, network, polyhedra, refinement, points, stations}; }
+    Parts parts() const { return {skeleton, network, polyhedra, refinement, surfaces, points, stations}; }
     std::int32_t ring_count(std::int32_t path) const {
         return stations.first[path + 1] - stations.first[path];
     }
@@ -168,5 +175,14 @@ struct Stages {
         return sum;
     }
 };
+
+/// The rest of the stages: features, places, the fit if it is asked for, and the symmetry.
+inline void finish(const Stages& s, bool fit, Bridge& b) {
+    place(s.parts(), {}, b);
+    add_features(s.parts(), b);
+    const auto image = vertex_images(s.parts(), s.images, b);
+    if (fit) ASSERT_TRUE(fit_limit(s.parts(), b));
+    make_symmetric(s.images, image, b.mesh.positions);
+}
 
 }  // namespace sinew::sqm

@@ -49,6 +49,21 @@ class CheckIncludes(unittest.TestCase):
     def test_between_strangers(self):
         self.assert_caught("src/sinew/mesh/bad.h", '  #  include "sinew/skeleton/plain.h"\n', "bad.h:1: mesh includes skeleton")
 
+    def test_against_the_order_inside_a_folder(self):
+        self.write("src/sinew/sqm/rings/ring.h", "#pragma once\n")
+        self.write("src/sinew/sqm/network.h", "#pragma once\n")
+        self.write("src/sinew/sqm/place/good.cpp", '#include "sinew/sqm/rings/ring.h"\n#include "sinew/sqm/network.h"\n')
+        self.assertEqual(check(self.root)[0], 0)
+        self.assert_caught("src/sinew/sqm/cells/bad.cpp", '#include "sinew/sqm/rings/ring.h"\n', "bad.cpp:1: cells includes rings")
+
+    def test_loops(self):
+        self.write("src/sinew/mesh/a.h", '#include "sinew/mesh/b.h"\n')
+        self.write("src/sinew/mesh/b.h", "#pragma once\n")
+        self.write("src/sinew/mesh/c.h", '#include "sinew/mesh/a.h"\n')
+        self.assertEqual(check(self.root)[0], 0)
+        self.assert_caught("src/sinew/mesh/b.cpp", '#include "sinew/mesh/c.h"\n',
+                           "loop: src/sinew/mesh/a -> src/sinew/mesh/b -> src/sinew/mesh/c")
+
     def test_round_the_prefix(self):
         self.assert_caught("src/sinew/mesh/bad.h", '#include "../skeleton/plain.h"\n', "bad.h:1")
         self.assert_caught("src/sinew/mesh/bad.h", '#include "plain.h"\n', "write the whole path")

@@ -23,7 +23,7 @@ class PathWalk {
     void walk(std::int32_t node, std::int32_t bone) {
         const auto path = network_.path_count();
         const std::int32_t start = node;
-        const PathEnd from = arrive(node, bone, 2 * path);
+        const PathEnd from = arrive(node, bone, {path, 0});
         PathEnd to;
         bool closed = false;
         for (;;) {
@@ -31,7 +31,7 @@ class PathWalk {
             walked_[bone] = true;
             node = other(bone, node);
             if (adjacency_.degree(node) != 2 || joint_of_[node] >= 0) {
-                to = arrive(node, bone, 2 * path + 1);
+                to = arrive(node, bone, {path, 1});
                 step(node, -1);
                 break;
             }
@@ -56,13 +56,13 @@ class PathWalk {
         network_.path_nodes.push_back(node);
         network_.path_bones.push_back(bone);
     }
-    PathEnd arrive(std::int32_t node, std::int32_t bone, std::int32_t path_and_end) {
+    PathEnd arrive(std::int32_t node, std::int32_t bone, const PathAndEnd& arriving) {
         const std::int32_t joint = joint_of_[node];
         if (joint < 0) return {};
         const auto bones = adjacency_.bones(node);
         const auto slot =
             static_cast<std::int32_t>(std::find(bones.begin(), bones.end(), bone) - bones.begin());
-        network_.slot_path[network_.slot_first[joint] + slot] = path_and_end;
+        network_.slot_path[network_.slot_first[joint] + slot] = arriving;
         return {joint, slot};
     }
 
@@ -99,7 +99,7 @@ Network find_network(const Plain& skeleton) {
         network.joint_node.push_back(i);
         network.slot_first.push_back(network.slot_first.back() + degree);
     }
-    network.slot_path.assign(network.slot_first.back(), -1);
+    network.slot_path.resize(network.slot_first.back());
 
     PathWalk paths(skeleton, adjacent, network);
     auto walk_from = [&](std::int32_t node) {

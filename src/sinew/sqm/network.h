@@ -24,10 +24,18 @@ struct PathEnd {
     bool at_joint() const { return joint >= 0; }
 };
 
+/// A path and one of its ends: how a joint knows what is at its slots.
+struct PathAndEnd {
+    std::int32_t path = -1;
+    std::int32_t end = 0;  ///< 0: the path starts here, 1: it ends here
+
+    bool operator==(const PathAndEnd&) const = default;
+};
+
 struct Network {
     std::vector<std::int32_t> joint_node;  ///< joint -> node
     std::vector<std::int32_t> slot_first;  ///< joint -> its first entry in slot_path; joints + 1 entries
-    std::vector<std::int32_t> slot_path;  ///< slot -> 2 path + (0 if the path starts here, 1 if it ends here)
+    std::vector<PathAndEnd> slot_path;     ///< slot -> what leaves the joint there
 
     std::vector<std::int32_t> path_first;  ///< path -> its first entry in path_nodes; paths + 1 entries
     std::vector<std::int32_t>
@@ -56,10 +64,16 @@ struct Network {
         const auto& end = path_end[path];
         return end[0].joint == joint ? end[1].joint : end[0].joint;
     }
+    /// The node beyond the first bone that leaves a joint at a slot.
+    std::int32_t next_node(std::int32_t slot) const {
+        const auto [path, end] = slot_path[slot];
+        const auto on_path = nodes(path);
+        return end == 0 ? on_path[1] : on_path[on_path.size() - 2];
+    }
     /// visit(slot, path) for each bone of a joint.
     template <class Visit>
     void for_slots(std::int32_t joint, Visit visit) const {
-        for (std::int32_t s = 0; s < degree(joint); ++s) visit(s, slot_path[slot_first[joint] + s] / 2);
+        for (std::int32_t s = 0; s < degree(joint); ++s) visit(s, slot_path[slot_first[joint] + s].path);
     }
 };
 

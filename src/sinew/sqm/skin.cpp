@@ -7,13 +7,19 @@
 #include "sinew/skeleton/condition.h"
 #include "sinew/skeleton/symmetry.h"
 #include "sinew/skeleton/validate.h"
-#include "sinew/sqm/bridge.h"
+#include "sinew/sqm/bridge/bridge.h"
+#include "sinew/sqm/bridge/features.h"
+#include "sinew/sqm/cells/images.h"
+#include "sinew/sqm/cells/polyhedra.h"
+#include "sinew/sqm/counts/refine.h"
+#include "sinew/sqm/fit/fit.h"
 #include "sinew/sqm/network.h"
-#include "sinew/sqm/place.h"
-#include "sinew/sqm/polyhedra.h"
-#include "sinew/sqm/refine.h"
+#include "sinew/sqm/place/place.h"
+#include "sinew/sqm/place/symmetrise.h"
+#include "sinew/sqm/points/joint_points.h"
+#include "sinew/sqm/rings/stations.h"
 #include "sinew/sqm/stage_mesh.h"
-#include "sinew/sqm/symmetry.h"
+#include "sinew/sqm/surface/find_surfaces.h"
 
 namespace sinew {
 namespace {
@@ -39,30 +45,37 @@ Result<QuadMesh> make_mesh(const Plain& skeleton, const SkinOptions& options, co
     if (options.stage == SkinStage::polyhedra) return polyhedra_mesh(skeleton, network, *polyhedra);
 
     progress(0.3, "refine");
+    const JointSurfaces surfaces = find_surfaces(skeleton, network);
     Images images = find_images(skeleton, network, *polyhedra);
-    auto refinement = refine(skeleton, network, *polyhedra, images, {.sides = options.sides}, progress);
+    auto refinement =
+        refine(skeleton, network, *polyhedra, surfaces, images, {.sides = options.sides}, progress);
     if (!refinement && images.any() && !progress.cancelled()) {
         images = {};  // a closed mesh matters more than a symmetric one
-        refinement = refine(skeleton, network, *polyhedra, images, {.sides = options.sides}, progress);
+        refinement =
+            refine(skeleton, network, *polyhedra, surfaces, images, {.sides = options.sides}, progress);
     }
     if (!refinement) return fail(refinement.error());
-    const JointPoints points = make_joint_points(skeleton, network, *polyhedra, *refinement);
+    const JointPoints points = make_joint_points(skeleton, network, *polyhedra, *refinement, surfaces);
     if (options.stage == SkinStage::refine)
         return refined_mesh(skeleton, network, *polyhedra, *refinement, points);
 
     progress(0.5, "bridge");
-    const Stations stations = make_stations(skeleton, network, *polyhedra, *refinement, points,
+    const Stations stations = make_stations(skeleton, network, *polyhedra, *refinement, surfaces, points,
                                             {.support = options.fit == Fit::limit});
-    const Parts parts{skeleton, network, *polyhedra, *refinement, points, stations};
+    const Parts parts{skeleton, network, *polyhedra, *refinement, surfaces, points, stations};
     auto bridged = bridge(parts, progress);
     if (!bridged) return fail(bridged.error());
     result.irregular = irregular_at_most(network, *polyhedra, *bridged);
 
     progress(0.8, "place");
-    const bool bridge_only = options.stage == SkinStage::bridge;
-    const auto placed = place(
-        parts, images, {.ideal = !bridge_only, .limit = options.fit == Fit::limit && !bridge_only}, *bridged);
-    if (!placed) return fail(placed.error());
+    const bool ideal = options.stage != SkinStage::bridge;
+    place(parts, {.ideal = ideal}, *bridged);
+    add_features(parts, *bridged);
+    // Which vertices are images of which is told by their places, before the fit moves them.
+    const auto image = vertex_images(parts, images, *bridged);
+    if (options.fit == Fit::limit && ideal)
+        if (const auto fitted = fit_limit(parts, *bridged); !fitted) return fail(fitted.error());
+    make_symmetric(images, image, bridged->mesh.positions);
     return std::move(bridged->mesh);
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sinew/mesh/quad_mesh.h"
-#include "sinew/sqm/joint_points.h"
+#include "sinew/sqm/points/joint_points.h"
 
 namespace sinew::sqm {
 

@@ -1,0 +1,356 @@
+#include "sinew/sqm/cells/spherical_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+#include "sinew/base/portable_math.h"
+#include "sinew/sqm/cells/count_problem.h"
+#include "sinew/sqm/cells/sphere_hull.h"
+
+namespace sinew::sqm {
+namespace {
+
+constexpr double least_separation =
+    0.12;  // radians between two directions: tubes closer than that are drawn apart
+constexpr double shortest_arc = 0.12;  // radians; shorter arcs are merged to a point
+constexpr double opposite = 0.9;       // minus the cosine between vertices that are
+constexpr double no_length = 1e-4;     // radians; directions are exact to about that much
+constexpr int most_sides = 6;          // cells round a vertex, so that its valence is at most 12
+
+Vec3 any_normal_to(const Vec3& v) {
+    int least = 0;
+    v.cwiseAbs().minCoeff(&least);
+    return v.cross(Vec3::Unit(least)).normalized();
+}
+
+/// Lays equal directions out on a small disc, as a sunflower does its seeds, so that all are apart.
+void part_equal(std::vector<Vec3>& sites, double spacing) {
+    constexpr double golden = 2.399963229728653;
+    const std::vector<Vec3> drawn = sites;
+    for (std::size_t i = 1; i < sites.size(); ++i) {
+        const auto equal = [&](const Vec3& other) { return (drawn[i] - other).squaredNorm() <= 1e-12; };
+        const auto twins = static_cast<double>(std::count_if(drawn.begin(), drawn.begin() + i, equal));
+        if (twins == 0) continue;
+        const Vec3 x = any_normal_to(drawn[i]), y = drawn[i].cross(x);
+        const double angle = golden * twins, out = spacing * std::sqrt(twins);
+        const auto [sine, cosine] = portable::sine_cosine(angle);
+        sites[i] = (drawn[i] + out * (cosine * x + sine * y)).normalized();
+    }
+}
+
+bool too_close(std::span<const Vec3> sites, double square) {
+    for (std::size_t i = 1; i < sites.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if ((sites[i] - sites[j]).squaredNorm() < square) return true;
+    return false;
+}
+
+/// Pushes directions apart, all pairs at once so that their order does not matter.
+void separate(std::vector<Vec3>& sites, std::vector<Vec3>& push) {
+    const double least = std::min(least_separation, 1 / std::sqrt(static_cast<double>(sites.size())));
+    if (!too_close(sites, least * least)) return;
+    part_equal(sites, 0.6 * least);
+    for (int round = 0; round < 64 && too_close(sites, 0.98 * least * least); ++round) {
+        push.assign(sites.size(), Vec3::Zero());
+        for (std::size_t i = 1; i < sites.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const Vec3 apart = sites[i] - sites[j];
+                const double distance = apart.norm();
+                if (distance >= least) continue;
+                const Vec3 half = apart * (0.51 * (least - distance) / distance);
+                push[i] += half;
+                push[j] -= half;
+            }
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            const double far =
+                std::max(1.0, push[i].norm() / (0.5 * least));  // many neighbours push too hard
+            sites[i] = (sites[i] + push[i] / far).normalized();
+        }
+    }
+}
+
+std::int32_t before(std::span<const std::int32_t> face, std::int32_t point) {
+    const auto at = std::find(face.begin(), face.end(), point) - face.begin();
+    return face[at == 0 ? face.size() - 1 : at - 1];
+}
+
+Vec3 face_normal(std::span<const std::int32_t> face, std::span<const Vec3> sites) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 1; k + 1 < face.size(); ++k)
+        sum += (sites[face[k]] - sites[face[0]]).cross(sites[face[k + 1]] - sites[face[0]]);
+    return sum.normalized();
+}
+
+/// The dual of the hull: a vertex a face, an arc an edge, a cell a point.
+void dualise(SphericalCells& cells) {
+    const SphereHull& hull = cells.hull;
+    const std::int32_t count = cells.cell_count();
+    cells.vertices.clear();
+    for (std::int32_t f = 0; f < hull.face_count(); ++f)
+        cells.vertices.push_back(face_normal(hull.face(f), cells.sites));
+
+    // Arcs are found again through the edge table, which is not needed for faces any more once all arcs are
+    // known.
+    cells.arcs.clear();
+    std::vector<std::int32_t>&arc_of = cells.arc_of, &any_face = cells.any_face;
+    arc_of.assign(static_cast<std::size_t>(count) * count, -1);
+    for (std::int32_t i = 0; i < count; ++i)
+        for (std::int32_t k = i + 1; k < count; ++k) {
+            if (hull.face_of[i * count + k] < 0) continue;
+            arc_of[i * count + k] = arc_of[k * count + i] = static_cast<std::int32_t>(cells.arcs.size());
+            cells.arcs.push_back({hull.face_of[k * count + i], hull.face_of[i * count + k], i, k});
+        }
+
+    any_face.assign(count, -1);
+    for (std::int32_t f = 0; f < hull.face_count(); ++f)
+        for (const std::int32_t i : hull.face(f)) any_face[i] = f;
+    cells.side_first = {0};
+    cells.sides.clear();
+    for (std::int32_t i = 0; i < count; ++i) {
+        std::int32_t f = any_face[i];
+        do {
+            const std::int32_t k = before(hull.face(f), i);
+            cells.sides.push_back({arc_of[i * count + k], i > k});
+            f = hull.face_of[i * count + k];
+        } while (f != any_face[i]);
+        cells.side_first.push_back(static_cast<std::int32_t>(cells.sides.size()));
+    }
+}
+
+/// Three cells are lunes between two opposite vertices, wherever the directions are.
+void make_three_lunes(SphericalCells& cells) {
+    const std::array<std::int32_t, 3> face{0, 1, 2};
+    const Vec3 normal = face_normal(face, cells.sites);
+    cells.vertices = {normal, -normal};
+    cells.arcs = {{1, 0, 0, 1}, {0, 1, 0, 2}, {1, 0, 1, 2}};
+    cells.side_first = {0, 2, 4, 6};
+    cells.sides = {{0, false}, {1, false}, {2, false}, {0, true}, {1, true}, {2, true}};
+}
+
+std::vector<int> cells_round_vertices(const SphericalCells& cells) {
+    std::vector<int> count(cells.vertices.size(), 0);
+    for (const CellArc& arc : cells.arcs) ++count[arc.from], ++count[arc.to];
+    return count;
+}
+
+/// Merges the ends of short arcs, shortest first, wherever the cells stay discs of at least two sides.
+class MergeShortArcs {
+  public:
+    MergeShortArcs(SphericalCells& cells, double limit, int most)
+        : cells_(cells),
+          limit_(limit),
+          most_(most),
+          root_(cells.vertices.size()),
+          gone_(cells.arcs.size(), false) {
+        std::iota(root_.begin(), root_.end(), 0);
+        sum_ = cells.vertices;
+        meet_ = cells_round_vertices(cells);
+    }
+    void run() {
+        const std::vector<Short> shortest = short_arcs();
+        side_count_.resize(cells_.cell_count());
+        for (std::int32_t c = 0; c < cells_.cell_count(); ++c)
+            side_count_[c] = static_cast<int>(cells_.cell(c).size());
+        for (std::size_t begin = 0, end = 0; begin < shortest.size(); begin = end) {
+            while (end < shortest.size() && shortest[end].first < shortest[begin].first + 1e-9) ++end;
+            merge_alike({shortest.data() + begin, shortest.data() + end});
+        }
+        rewrite();
+    }
+
+  private:
+    using Short = std::pair<double, std::int32_t>;
+
+    /// Arcs of one length may be images of each other: all of them are merged or none, so that no order
+    /// shows.
+    void merge_alike(std::span<const Short> arcs) {
+        const auto before = std::tuple(root_, sum_, gone_, side_count_, meet_);
+        bool all = true;
+        for (const auto& [length, arc] : arcs) {
+            const bool may = may_merge(cells_.arcs[arc]);
+            if (may) merge(arc);
+            all = all && may;
+        }
+        if (!all && arcs.size() > 1 && arcs[0].first > no_length)
+            std::tie(root_, sum_, gone_, side_count_, meet_) = before;
+    }
+
+    std::vector<Short> short_arcs() const {
+        std::vector<Short> result;
+        for (std::size_t a = 0; a < cells_.arcs.size(); ++a) {
+            const CellArc& arc = cells_.arcs[a];
+            const double chord = (cells_.vertices[arc.from] - cells_.vertices[arc.to]).norm();
+            if (chord < limit_) result.emplace_back(chord, static_cast<std::int32_t>(a));
+        }
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+    std::int32_t root(std::int32_t v) const {
+        while (root_[v] != v) v = root_[v];
+        return v;
+    }
+    bool touches(std::int32_t cell, std::int32_t vertex) const {
+        for (const CellSide& side : cells_.cell(cell)) {
+            if (gone_[side.arc]) continue;
+            const CellArc& arc = cells_.arcs[side.arc];
+            if (root(arc.from) == vertex || root(arc.to) == vertex) return true;
+        }
+        return false;
+    }
+    bool may_merge(const CellArc& arc) const {
+        const std::int32_t u = root(arc.from), v = root(arc.to);
+        if (u == v || side_count_[arc.left] < 3 || side_count_[arc.right] < 3) return false;
+        if (meet_[u] + meet_[v] - 2 > most_) return false;
+        if (would_close(arc.left, u, v) || would_close(arc.right, u, v)) return false;
+        for (std::int32_t c = 0; c < cells_.cell_count(); ++c)  // a cell that has both ends would be pinched
+            if (c != arc.left && c != arc.right && touches(c, u) && touches(c, v)) return false;
+        return true;
+    }
+    /// Whether merging u and v would leave a cell between two arcs of one great circle, of no width: two
+    /// sides make a lune only from a vertex to the opposite one.
+    bool would_close(std::int32_t cell, std::int32_t u, std::int32_t v) const {
+        if (side_count_[cell] > 3) return false;
+        const Vec3 merged = sum_[u] + sum_[v];
+        for (const CellSide& side : cells_.cell(cell)) {
+            if (gone_[side.arc]) continue;
+            const std::int32_t from = root(cells_.arcs[side.arc].from);
+            const std::int32_t to = root(cells_.arcs[side.arc].to);
+            for (const std::int32_t end : {from, to})
+                if (end != u && end != v &&
+                    merged.dot(sum_[end]) > -opposite * merged.norm() * sum_[end].norm())
+                    return true;
+        }
+        return false;
+    }
+    void merge(std::int32_t a) {
+        const CellArc& arc = cells_.arcs[a];
+        const std::int32_t u = root(arc.from), v = root(arc.to);
+        root_[std::max(u, v)] = std::min(u, v);
+        sum_[std::min(u, v)] += sum_[std::max(u, v)];
+        meet_[std::min(u, v)] += meet_[std::max(u, v)] - 2;
+        gone_[a] = true;
+        --side_count_[arc.left];
+        --side_count_[arc.right];
+    }
+    void rewrite() {
+        std::vector<std::int32_t> new_vertex(cells_.vertices.size(), -1), new_arc(cells_.arcs.size(), -1);
+        std::vector<Vec3> vertices;
+        for (std::size_t v = 0; v < root_.size(); ++v)
+            if (root_[v] == static_cast<std::int32_t>(v)) {
+                new_vertex[v] = static_cast<std::int32_t>(vertices.size());
+                vertices.push_back(sum_[v].normalized());
+            }
+        std::int32_t arcs = 0;
+        for (std::size_t a = 0; a < gone_.size(); ++a) {
+            if (gone_[a]) continue;
+            CellArc arc = cells_.arcs[a];
+            arc.from = new_vertex[root(arc.from)];
+            arc.to = new_vertex[root(arc.to)];
+            new_arc[a] = arcs;
+            cells_.arcs[arcs++] = arc;
+        }
+        cells_.arcs.resize(arcs);
+        std::size_t to = 0;
+        for (std::int32_t c = 0, begin = 0; c < cells_.cell_count(); ++c) {
+            const std::int32_t end = cells_.side_first[c + 1];
+            for (std::int32_t s = begin; s < end; ++s)
+                if (new_arc[cells_.sides[s].arc] >= 0)
+                    cells_.sides[to++] = {new_arc[cells_.sides[s].arc], cells_.sides[s].reversed};
+            begin = end;
+            cells_.side_first[c + 1] = static_cast<std::int32_t>(to);
+        }
+        cells_.sides.resize(to);
+        cells_.vertices = std::move(vertices);
+    }
+
+    SphericalCells& cells_;
+    double limit_;
+    int most_;  // cells that may meet at a vertex
+    std::vector<std::int32_t> root_;
+    std::vector<bool> gone_;
+    std::vector<Vec3> sum_;
+    std::vector<int> side_count_;
+    std::vector<int> meet_;  // cells that meet at each vertex
+};
+
+/// Whether all cells can have the same number of vertices round them, as paths on cycles want it. A
+/// triangulation of points on a sphere always can; merging arcs can spoil it (four cells, of which two do not
+/// touch).
+bool is_balanced(const SphericalCells& cells) {
+    CountProblem problem;
+    for (const CellArc& arc : cells.arcs) problem.arcs.push_back({arc.left, arc.right});
+    std::int32_t most = 4;
+    for (std::int32_t c = 0; c < cells.cell_count(); ++c)
+        most = std::max(most, static_cast<std::int32_t>(cells.cell(c).size()));
+    for (std::int32_t count = (most + 1) / 2 * 2, tries = 0; tries < 6; count += 2, ++tries) {
+        problem.cells.assign(cells.cell_count(), {count, true, false});
+        if (problem.solve()) return true;
+    }
+    return false;
+}
+
+bool has_short_arc(const SphericalCells& cells, double limit) {
+    return std::any_of(cells.arcs.begin(), cells.arcs.end(), [&](const CellArc& arc) {
+        return (cells.vertices[arc.from] - cells.vertices[arc.to]).norm() < limit;
+    });
+}
+
+/// Merges what is short, or, where that leaves cells that cannot be balanced, what has no length at all, or
+/// nothing.
+void merge_short_arcs(SphericalCells& cells, int most) {
+    for (const double limit : {shortest_arc, no_length}) {
+        if (!has_short_arc(cells, limit)) return;
+        SphericalCells merged = cells;
+        MergeShortArcs(merged, limit, most).run();
+        if (!is_balanced(merged)) continue;
+        cells = std::move(merged);
+        return;
+    }
+}
+
+bool is_crowded(const SphericalCells& cells) {
+    if (cells.cell_count() <= most_sides) return false;
+    const std::vector<int> meet = cells_round_vertices(cells);
+    return std::any_of(meet.begin(), meet.end(), [](int count) { return count > most_sides; });
+}
+
+/// Adds a site in the middle of each vertex of too many sides, if it is free. False if none was added.
+bool part_crowded_vertices(SphericalCells& cells) {
+    constexpr double near = 0.25 * least_separation * least_separation;
+    const std::size_t before = cells.sites.size();
+    const auto is_free = [&](const Vec3& place) {
+        return std::none_of(cells.sites.begin(), cells.sites.end(),
+                            [&](const Vec3& site) { return (site - place).squaredNorm() < near; });
+    };
+    const std::vector<int> meet = cells_round_vertices(cells);
+    for (std::size_t v = 0; v < meet.size(); ++v)
+        if (meet[v] > most_sides && is_free(cells.vertices[v])) cells.sites.push_back(cells.vertices[v]);
+    cells.added += static_cast<std::int32_t>(cells.sites.size() - before);
+    return cells.sites.size() > before;
+}
+
+}  // namespace
+
+void find_spherical_cells(std::span<const Vec3> directions, SphericalCells& cells) {
+    cells.sites.assign(directions.begin(), directions.end());
+    cells.added = 0;
+    separate(cells.sites, cells.vertices);
+    if (cells.cell_count() == 3) return make_three_lunes(cells);
+    for (int round = 0; round < 4; ++round) {
+        find_sphere_hull(cells.sites, cells.hull);
+        dualise(cells);
+        merge_short_arcs(cells, std::numeric_limits<int>::max());
+        if (!is_crowded(cells)) return;
+        if (!part_crowded_vertices(cells)) break;
+    }
+    // There is no room for more: rather short arcs than crowded vertices.
+    find_sphere_hull(cells.sites, cells.hull);
+    dualise(cells);
+    merge_short_arcs(cells, most_sides);
+}
+
+}  // namespace sinew::sqm

@@ -1,0 +1,80 @@
+#include "sinew/sqm/bridge/features.h"
+
+#include <algorithm>
+#include <set>
+
+#include "sinew/mesh/topology.h"
+#include "sqm/stages.h"
+
+namespace sinew::sqm {
+namespace {
+
+/// Placed, with its features.
+QuadMesh finished(const Document& document, int sides = 0) {
+    const Stages s(document, sides);
+    Bridge b = bridge(s.parts()).value();
+    finish(s, false, b);
+    const Topology topology = build_topology(b.mesh);
+    for (const Crease& crease : b.mesh.features.creases) {
+        EXPECT_NE(find_edge(topology, crease.edge), no_index);
+        EXPECT_GT(crease.sharpness, 0);
+    }
+    return b.mesh;
+}
+
+TEST(Features, OfBallsAndRoundBonesArePolesOnly) {
+    const Features f = finished(star(fan(5))).features;
+    EXPECT_TRUE(f.creases.empty() && f.corners.empty() && f.circles.empty() && f.planes.empty());
+    EXPECT_EQ(f.poles.size(), 5u);
+}
+
+TEST(Features, OfAFlatEndAreItsRimAndItsDisc) {
+    Document d = star(fan(3), 4, 0.5);
+    d.nodes[1].type = NodeType::hemisphere;
+    const QuadMesh mesh = finished(d, 8);
+    const Features& f = mesh.features;
+    ASSERT_EQ(f.circles.size(), 1u);
+    EXPECT_EQ(f.circles[0].edges.size(), 8u);
+    EXPECT_EQ(f.creases.size(), 8u);
+    EXPECT_NEAR(f.circles[0].radius, 0.5, 1e-6);
+    EXPECT_NEAR(std::abs(f.circles[0].axis.x()), 1, 1e-6);
+    ASSERT_EQ(f.planes.size(), 1u);
+    EXPECT_EQ(f.planes[0].faces.size(), 8u);
+    for (const std::uint32_t face : f.planes[0].faces)
+        for (const std::uint32_t v : mesh.face(face))
+            EXPECT_NEAR((mesh.positions[v] - f.planes[0].point).dot(f.planes[0].normal), 0, 1e-5);
+}
+
+TEST(Features, OfATipAreItsCorner) {
+    Document d = star(fan(3), 4, 0.5);
+    d.nodes[2].type = NodeType::cone;
+    const QuadMesh mesh = finished(d);
+    ASSERT_EQ(mesh.features.corners.size(), 1u);
+    EXPECT_TRUE(mesh.positions[mesh.features.corners[0]].isApprox(d.nodes[2].position.cast<float>(), 1e-5f));
+}
+
+TEST(Features, OfABoxAreItsEdgesCornersAndSides) {
+    Document d;
+    add(d, -1, {1, 2, 3}, 1);
+    d.nodes[0].type = NodeType::cube;
+    d.nodes[0].size = Vec3(1, 2, 3);
+    const QuadMesh mesh = finished(d);
+    const Features& f = mesh.features;
+    EXPECT_EQ(f.corners.size(), 8u);
+    EXPECT_EQ(f.creases.size(), 24u);  // twelve edges, in two pieces each
+    EXPECT_EQ(f.planes.size(), 6u);
+    std::set<std::uint32_t> covered;
+    for (const Plane& plane : f.planes) covered.insert(plane.faces.begin(), plane.faces.end());
+    EXPECT_EQ(covered.size(), mesh.face_count());
+}
+
+TEST(Features, OfASharpJointAreTheEdgesOfItsRing) {
+    Document d = chain(std::vector<Vec3>{{0, 0, 0}, {4, 0, 0}, {8, 1, 0}}, 0.5);
+    d.nodes[1].joint = 3;
+    const Features f = finished(d).features;
+    EXPECT_EQ(f.creases.size(), 4u);
+    for (const Crease& crease : f.creases) EXPECT_EQ(crease.sharpness, 3);
+}
+
+}  // namespace
+}  // namespace sinew::sqm

@@ -1,0 +1,79 @@
+#include "sinew/sqm/points/joint_points.h"
+
+#include <set>
+
+#include "sqm/stages.h"
+
+namespace sinew::sqm {
+namespace {
+
+TEST(JointPoints, LieOnTheRoundConesOfTheJoint) {
+    property::Random random(15);
+    for (int degree = 3; degree < 15; ++degree) {
+        const Stages s(star(random_directions(random, degree), 5, 0.3));
+        for (const Vec3& point : s.points.position) {
+            const double exit = exit_of_joint(s.network, s.surfaces, 0, Vec3::Zero(), point.normalized());
+            EXPECT_NEAR(point.norm(), exit, 1e-9);
+            EXPECT_GE(point.norm(), 0.3 - 1e-9);
+        }
+    }
+}
+
+TEST(JointPoints, AreEvenAlongTheArcs) {
+    const Stages s(star(fan(3)), 12);
+    for (std::size_t a = 0; a < s.polyhedra.arcs.size(); ++a) {
+        const std::int32_t pieces = s.refinement.pieces[a];
+        const Vec3 from = s.polyhedra.vertices[s.polyhedra.arcs[a].from];
+        for (std::int32_t i = 1; i < pieces; ++i) {
+            const Vec3 ray = s.points.position[s.points.arc_first[a] + i - 1].normalized();
+            EXPECT_NEAR(std::acos(ray.dot(from)), M_PI * i / pieces, 1e-6);
+        }
+    }
+}
+
+TEST(JointPoints, OfNarrowBundlesStayOnTheirHalfOfTheBones) {
+    std::vector<Vec3> narrow = fan(3);
+    for (Vec3& d : narrow) d = (0.15 * d + Vec3::UnitZ()).normalized();
+    Document d = star(narrow, 4, 0.5);
+    for (std::int32_t i = 1; i <= 3; ++i)
+        for (const double up : {0.5, -0.5}) add(d, i, d.nodes[i].position + Vec3(0, 3 * up, 3), 0.3);
+    const Stages s(d);
+    for (std::uint32_t v = s.points.first[0]; v < s.points.first[1]; ++v)
+        EXPECT_LT(s.points.position[v].z(), 0.95 * 4);
+}
+
+TEST(JointPoints, OfABoxAreItsCornersAndEvenOnItsEdges) {
+    Document d = star(std::vector<Vec3>{Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitX()}, 4, 0.2);
+    d.nodes[0].type = NodeType::cube;
+    d.nodes[0].size = Vec3(1, 2, 3);
+    const Stages s(d, 8);
+    for (std::uint32_t v = 0; v < 8; ++v)
+        EXPECT_TRUE(s.points.position[v].cwiseAbs().isApprox(Vec3(0.5, 1, 1.5), 1e-12));
+    for (std::size_t a = 0; a < s.polyhedra.arcs.size(); ++a) {
+        ASSERT_EQ(s.refinement.pieces[a], 2);
+        const CellArc& arc = s.polyhedra.arcs[a];
+        const Vec3 middle = 0.5 * (s.points.position[arc.from] + s.points.position[arc.to]);
+        EXPECT_TRUE(s.points.position[s.points.arc_first[a]].isApprox(middle, 1e-12));
+    }
+}
+
+TEST(JointPoints, RingsRunCounterClockwiseRoundTheirCells) {
+    property::Random random(16);
+    const Stages s(star(random_directions(random, 7)), 8);
+    std::vector<std::uint32_t> ring;
+    for (std::int32_t c = 0; c < s.polyhedra.cell_count(); ++c) {
+        ring.clear();
+        for_ring(s.polyhedra, s.refinement, s.points, 0, c,
+                 [&](std::uint32_t point) { ring.push_back(point); });
+        EXPECT_EQ(std::ssize(ring), s.round_cell(c));
+        EXPECT_EQ(std::set<std::uint32_t>(ring.begin(), ring.end()).size(), ring.size());
+        EXPECT_LT(ring[0], s.polyhedra.vertices.size());
+        Vec3 area = Vec3::Zero();
+        for (std::size_t k = 0; k < ring.size(); ++k)
+            area += s.points.position[ring[k]].cross(s.points.position[ring[(k + 1) % ring.size()]]);
+        EXPECT_GT(area.dot(s.polyhedra.sites[c]), 0);
+    }
+}
+
+}  // namespace
+}  // namespace sinew::sqm
