@@ -181,7 +181,9 @@ inline void finish(const Stages& s, bool fit, Bridge& b) {
     place(s.parts(), {}, b);
     add_features(s.parts(), b);
     const auto image = vertex_images(s.parts(), s.images, b);
-    if (fit) ASSERT_TRUE(fit_limit(s.parts(), b));
+    if (fit) {
+        ASSERT_TRUE(fit_limit(s.parts(), b));
+    }
     make_symmetric(s.images, image, b.mesh.positions);
 }
 
