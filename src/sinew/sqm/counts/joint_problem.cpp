@@ -1,6 +1,7 @@
 #include "sinew/sqm/counts/joint_problem.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sinew/sqm/surface/dents.h"
 
@@ -10,6 +11,8 @@ namespace {
 constexpr std::int32_t across_groove =
     10;  // pieces of an arc between two dents: to the rim, over wall, floor, wall and rim, and on
 constexpr double longest_on_ball = 0.6;  // radians of an arc in one piece on a ball
+constexpr double longest_at_blend =
+    1.58;  // and of a piece elsewhere: a chord of more than a right angle caves the joint in
 
 /// Arcs with both ends in common must not be one edge each.
 bool needs_middle(const Polyhedra& p, std::int32_t joint, std::int32_t arc) {
@@ -34,9 +37,11 @@ std::int32_t least_pieces(const Plain& skeleton, const Network& network, const P
         dents_overlap(surfaces, first + left, first + right))
         return across_groove;
     const bool on_ball = form && (form->kind == Form::Kind::ball || form->sides > 4);
-    const double length = on_ball ? arc_length(p, p.arcs[arc]) : 0;
+    const double length = on_ball || !form ? arc_length(p, p.arcs[arc]) : 0;
+    const std::int32_t least = needs_middle(p, joint, arc) ? 2 : 1;
+    if (!form) return std::max(least, static_cast<std::int32_t>(std::ceil(length / longest_at_blend)));
     if (length > 2.3 * longest_on_ball) return 4;
-    return length > longest_on_ball || needs_middle(p, joint, arc) ? 2 : 1;
+    return length > longest_on_ball ? 2 : least;
 }
 
 void JointProblem::take(std::int32_t joint) {

@@ -17,6 +17,13 @@ namespace {
 constexpr std::uint8_t fit_steps = 8;
 constexpr double steepest_fitted = 0.3;  // cosine of a wall to its ray, in grooves
 
+// What a smooth surface lacks it may only be given as far as the control mesh stays fair.
+constexpr double most_aside = 0.1;  // of a ring's radius: how much wider or narrower than a tube's it may be
+constexpr double most_of_column = 0.25;  // of the shortest edge along the tube, that a ring's point may move
+constexpr double most_of_edge = 0.4;     // of the shortest edge, that a joint's point may move
+constexpr int unfold_rounds = 6;         // in which rings and points that fold a face go back
+constexpr double back = 0.6;  // to what is left each time of how far they have moved; at last nothing
+
 /// Round cones meet in creases, and faces at joints are of all sizes: a smooth surface that passes through
 /// all points there swells between them. One step makes up for the width that it lacks, and leaves it fair;
 /// with four sides, where a third is lacking, three do.
@@ -34,6 +41,14 @@ struct RingFactors {
         : gain(static_cast<float>(1 / ring_limit_radius(sides))),
           wider(ring_fit_radius(sides)),
           held(wider / ring_limit_radius(sides)) {}
+};
+
+/// Where a point stands if nothing beside it calls for more than a straight tube does, and how far from there
+/// it may go.
+struct Leeway {
+    Vec3 start = Vec3::Zero(), ray = Vec3::Zero();         ///< the ray is unit, or 0: no limit along it
+    double out = 0, in = 0;                                ///< along the ray
+    double far = std::numeric_limits<double>::infinity();  ///< and in all directions
 };
 
 /// How a vertex may move: along a line, or in the plane at right angles to one; along none it stays.
@@ -54,6 +69,7 @@ class Fitter {
         : d_(parts), n_(parts.network), b_(bridge), freedom_(bridge.mesh.vertex_count()) {
         targets_.reserve(bridge.mesh.vertex_count());
         for (const Vec3f& position : bridge.mesh.positions) targets_.push_back(position.cast<double>());
+        leeway_.resize(targets_.size());
         std::int32_t most = lone_sides;
         for (const std::int32_t sides : parts.refinement.path_sides) most = std::max(most, sides);
         for (std::int32_t sides = 0; sides <= most; ++sides)
@@ -224,8 +240,29 @@ class Fitter {
             freedom.steps = fit_steps;
             // A smooth ring through the points of a circle runs inside it between them: half of that is
             // given back.
-            if (tube) target = ring.centre + factors.wider * (target - ring.centre);
+            if (!tube) continue;
+            target = ring.centre + factors.wider * (target - ring.centre);
+            limit_ring_point(ring, v, sides);
         }
+    }
+    /// A point at a bend goes out to where the outsides of both arms meet, but not beyond: there they would
+    /// get a nub.
+    void limit_ring_point(const Station& ring, std::uint32_t v, std::int32_t sides) {
+        const Vec3 from = (targets_[v] - ring.centre) / ring_limit_radius(sides);
+        const double radius = from.norm();
+        if (!(radius > 0)) return;
+        Leeway& leeway = leeway_[v];
+        leeway.start = ring.centre + from;
+        leeway.ray = from / radius;
+        leeway.out = leeway.in = most_aside * radius;
+        if (ring.shape != RingShape::node || ring.before < 0 || ring.after < 0) return;
+        constexpr double sharpest = 0.3;  // cosine of half the bend, from which a mitre is as long as there
+        const Vec3 in = (ring.centre - d_.skeleton.position[ring.before]).normalized(),
+                   out = (d_.skeleton.position[ring.after] - ring.centre).normalized(), askew = out - in;
+        if (askew.norm() < 1e-6) return;
+        const double cosine = std::sqrt(std::max(sharpest * sharpest, (1 + in.dot(out)) / 2)),
+                     inward = leeway.ray.dot(askew.normalized());
+        if (inward < 0) leeway.out += (1 / cosine - 1) * inward * inward * radius;
     }
     void along_tapers(std::int32_t p, std::int32_t i) {
         const Stations& s = d_.stations;
@@ -274,11 +311,103 @@ class Fitter {
         return length * beyond > 0 ? Vec3(targets_[v] + std::min(1.0, beyond / length) * way) : targets_[v];
     }
 
-    std::vector<Vec3> iterate(const LimitStencils& stencils, const std::vector<char>& moves) const {
+    /// Rings by number; all other points by themselves.
+    std::vector<std::int32_t> groups() const {
+        const Stations& s = d_.stations;
+        std::vector<std::int32_t> group(targets_.size(), -1);
+        for (std::int32_t p = 0; p < n_.path_count(); ++p)
+            for (std::int32_t i = s.first[p]; i < s.first[p + 1]; ++i)
+                std::fill_n(group.begin() + first_of_ring(d_, b_, p, i), d_.refinement.path_sides[p], i);
+        auto next = static_cast<std::int32_t>(s.stations.size());
+        for (std::int32_t& g : group)
+            if (g < 0) g = next++;
+        return group;
+    }
+    /// How far each point may go: a share of the shortest edge at it, of a ring's of those along the tube.
+    void limit_by_edges(const std::vector<std::int32_t>& group) {
+        const auto rings = static_cast<std::int32_t>(d_.stations.stations.size());
+        for (std::size_t v = 0; v < leeway_.size(); ++v)
+            if (leeway_[v].ray.isZero(0)) leeway_[v].start = targets_[v];
+        for (std::size_t f = 0; f < b_.mesh.face_count(); ++f) {
+            const auto face = b_.mesh.face(f);
+            for (std::size_t i = 0; i < face.size(); ++i) {
+                const std::uint32_t a = face[i], b = face[i + 1 < face.size() ? i + 1 : 0];
+                const double length = (leeway_[a].start - leeway_[b].start).norm();
+                for (const std::uint32_t v : {a, b}) {
+                    const bool of_ring = group[v] < rings;
+                    if (of_ring && group[a] == group[b]) continue;
+                    leeway_[v].far =
+                        std::min(leeway_[v].far, (of_ring ? most_of_column : most_of_edge) * length);
+                }
+            }
+        }
+    }
+    Vec3 within_leeway(std::size_t v, const Vec3& point) const {
+        const Leeway& leeway = leeway_[v];
+        Vec3 way = point - leeway.start;
+        const double out = way.dot(leeway.ray);
+        if (!leeway.ray.isZero(0)) way += (std::clamp(out, -leeway.in, leeway.out) - out) * leeway.ray;
+        const double far = way.norm();
+        return leeway.start + (far > leeway.far ? leeway.far / far : 1) * way;
+    }
+
+    static Vec3 normal_of(std::span<const std::uint32_t> face, std::span<const Vec3> at) {
+        Vec3 normal = Vec3::Zero();
+        for (std::size_t i = 1; i + 1 < face.size(); ++i)
+            normal += (at[face[i]] - at[face[0]]).cross(at[face[i + 1]] - at[face[0]]);
+        return normal;
+    }
+    /// Whether a corner of the face turns against a direction.
+    static bool is_folded(std::span<const std::uint32_t> face, std::span<const Vec3> at, const Vec3& up) {
+        const std::size_t n = face.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec3 &a = at[face[i]], &b = at[face[(i + 1) % n]], &c = at[face[(i + 2) % n]];
+            if (!((b - a).cross(c - b).dot(up) > 0)) return true;
+        }
+        return false;
+    }
+    /// Rings and points that fold a face go back, bit by bit, towards where they started.
+    void unfold(const std::vector<std::int32_t>& group, const std::vector<std::uint32_t>& moving,
+                std::vector<Vec3>& control) const {
+        const QuadMesh& mesh = b_.mesh;
+        std::vector<Vec3> placed;
+        placed.reserve(control.size());
+        for (const Vec3f& position : mesh.positions) placed.push_back(position.cast<double>());
+        std::vector<std::uint32_t> sound;  // faces that are no worse before
+        std::vector<Vec3> up(mesh.face_count());
+        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            up[f] = normal_of(mesh.face(f), placed);
+            if (!is_folded(mesh.face(f), placed, up[f])) sound.push_back(static_cast<std::uint32_t>(f));
+        }
+        const std::vector<Vec3> full = control;
+        std::vector<double> share(*std::max_element(group.begin(), group.end()) + 1, 1.0);
+        std::vector<char> folds(share.size());
+        for (int round = 1; round <= unfold_rounds; ++round) {
+            std::fill(folds.begin(), folds.end(), 0);
+            bool any = false;
+            for (const std::uint32_t f : sound) {
+                const auto face = mesh.face(f);
+                const Vec3 normal = normal_of(face, control);
+                if (normal.dot(up[f]) > 0 && !is_folded(face, control, normal)) continue;
+                any = true;
+                for (const std::uint32_t v : face) folds[group[v]] = 1;
+            }
+            if (!any) return;
+            for (std::size_t g = 0; g < share.size(); ++g)
+                if (folds[g]) share[g] = round < unfold_rounds ? back * share[g] : 0;
+            for (const std::uint32_t v : moving)
+                control[v] = leeway_[v].start + share[group[v]] * (full[v] - leeway_[v].start);
+        }
+    }
+
+    std::vector<Vec3> iterate(const LimitStencils& stencils, const std::vector<char>& moves) {
         std::vector<std::uint32_t> moving;
         for (std::size_t v = 0; v < moves.size(); ++v)
             if (moves[v]) moving.push_back(static_cast<std::uint32_t>(v));
         std::vector<Vec3> control = targets_, limit(targets_.size());
+        if (moving.empty()) return control;
+        const std::vector<std::int32_t> group = groups();
+        limit_by_edges(group);
         for (int step = 0; step < fit_steps; ++step) {
             limit_positions(stencils, std::span<const Vec3>(control), limit);
             tbb::parallel_for(
@@ -289,10 +418,13 @@ class Fitter {
                         const Vec3 axis = freedom_[v].axis.template cast<double>();
                         const Vec3 lack = target_at(v, limit[v], axis) - limit[v];
                         const Vec3 along = lack.dot(freedom_[v].lack.template cast<double>()) * axis;
-                        control[v] += freedom_[v].gain * (freedom_[v].in_plane ? Vec3(lack - along) : along);
+                        control[v] = within_leeway(
+                            v, control[v] +
+                                   freedom_[v].gain * (freedom_[v].in_plane ? Vec3(lack - along) : along));
                     }
                 });
         }
+        unfold(group, moving, control);
         return control;
     }
 
@@ -301,6 +433,7 @@ class Fitter {
     const Bridge& b_;
     std::vector<Vec3> targets_;
     std::vector<Freedom> freedom_;
+    std::vector<Leeway> leeway_;
     std::vector<RingFactors> factors_;       ///< by the number of sides
     std::vector<std::int32_t> joint_sides_;  ///< joint -> of its path of fewest sides
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sinew/mesh/limit.h"
 #include "sinew/sqm/rings/ring_form.h"
 #include "sinew/sqm/rings/ring_support.h"
 
@@ -12,6 +13,14 @@ namespace {
 constexpr double steep = 0.45;  // sine of a cone's slope from which its round parts get rings of their own
 constexpr double very_steep = 0.85;
 
+/// How far the points of a node's ring lean over its bones. Control points of a smooth surface are further
+/// out than its radius, and lean over as much further; rings beside them that stood nearer would cross them.
+double lean_of_control(const PathWork& w, std::int32_t i) {
+    constexpr double most = 4;  // radii
+    if (!w.options.support) return w.lean(i);
+    return ring_fit_radius(w.sides) / ring_limit_radius(w.sides) * w.lean(i, most);
+}
+
 /// Part of a bone that is free for rings, as heights above its first node.
 std::pair<double, double> free_part(const PathWork& w, std::int32_t bone, const ConeFrom& cone) {
     const auto end = [&](std::int32_t i, const JointSide& side, bool last) {
@@ -19,7 +28,7 @@ std::pair<double, double> free_part(const PathWork& w, std::int32_t bone, const 
             if (side.any()) return side.reach;
             return last ? cone.length - cone.side_end() : cone.side_begin();
         }
-        return w.kept[i % w.count()] ? std::min(w.lean(i), 0.5 * cone.length) : cone.length;
+        return w.kept[i % w.count()] ? std::min(lean_of_control(w, i), 0.5 * cone.length) : cone.length;
     };
     return {end(bone, w.near, false), cone.length - end(bone + 1, w.far, true)};
 }
@@ -98,7 +107,12 @@ void add_bone_rings(PathWork& w, std::int32_t bone) {
         Station& ring = add_ring(w, w.position(bone) + height * cone.axis, w.way(bone),
                                  cone.radius_at(height), bone, height / cone.length);
         if (hold_near || hold_far) ring.fit = RingFit::held;
-        if (shaped) blend_forms(w, bone, height / cone.length, ring);
+        if (!shaped) continue;
+        const double share = height / cone.length;
+        blend_forms(w, bone, share, ring);
+        // On the round cones, as the ball of a round end beside it is, not on the lines from node to node.
+        if (hold_near || hold_far)
+            ring.half *= cone.radius_at(height) / ((1 - share) * w.radius(bone) + share * w.radius(bone + 1));
     }
 }
 

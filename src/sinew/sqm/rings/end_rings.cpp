@@ -17,7 +17,11 @@ void add_round_end(PathWork& w, std::int32_t leaf, bool at_end) {
     const Vec3 outward = (w.position(leaf) - w.position(other)).normalized();
     const double length = (w.position(leaf) - w.position(other)).norm(), r = w.radius(leaf);
     const Form* form = w.is_shaped(leaf) ? w.form(leaf) : nullptr;
-    const double begin = form ? 0 : portable::arc_sine(std::clamp((w.radius(other) - r) / length, -0.9, 0.9));
+    // Of a smooth surface, on the round cone as scaled; else forms go straight from node to node.
+    const bool scaled =
+        form && w.options.support && form->section == Section::round && !form->fixed && form->sharpness == 0;
+    const double begin =
+        form && !scaled ? 0 : portable::arc_sine(std::clamp((w.radius(other) - r) / length, -0.9, 0.9));
     const int rings = std::max(1, static_cast<int>(std::lround(w.sides * (M_PI / 2 - begin) / (2 * M_PI))));
     for (int i = 0; i < rings; ++i) {
         const int step = at_end ? i : rings - 1 - i;

@@ -198,11 +198,26 @@ class AngleFinder {
             if (w_.near.any()) w_.rings[i].near_share = share(near, near_uneven, i);
             if (w_.far.any()) w_.rings[w_.rings.size() - 1 - i].far_share = share(far, far_uneven, i);
         }
+        const float near_most = w_.near.any() ? most_share(near_angles_) : 1,
+                    far_most = w_.far.any() ? most_share(far_angles_) : 1;
+        for (Station& ring : w_.rings) {
+            ring.near_share = std::min(ring.near_share, near_most);
+            ring.far_share = std::min(ring.far_share, far_most);
+        }
         for (Station& ring : w_.rings)
             if (const float sum = ring.near_share + ring.far_share; sum > 1) {
                 ring.near_share /= sum;
                 ring.far_share /= sum;
             }
+    }
+
+    /// How much of a joint's spacing a ring may keep so that no chord of it spans more than a right angle.
+    float most_share(const std::vector<double>& angles) const {
+        constexpr double widest_chord = 1.6;  // radians
+        double widest = angles.front() + 2 * M_PI - angles.back();
+        for (std::size_t k = 1; k < angles.size(); ++k) widest = std::max(widest, angles[k] - angles[k - 1]);
+        const double limit = std::max(widest_chord, step_);
+        return widest > limit ? static_cast<float>((limit - step_) / (widest - step_)) : 1;
     }
 
     /// How far a joint's points are from an even spacing.

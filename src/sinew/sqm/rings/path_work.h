@@ -84,11 +84,11 @@ struct PathWork {
         return f && (f->section == Section::rectangular || f->half.x() != f->half.y());
     }
 
-    /// How far the ring at a node leans over its bones, on the inner side of the bend.
-    double lean(std::int32_t i) const {
+    /// How far the ring at a node leans over its bones, on the inner side of the bend; at most so many radii.
+    double lean(std::int32_t i, double most = 1) const {
         if (is_fixed(i)) return 0;
         const double cosine = std::clamp(way(i - 1).dot(way(i)), -1.0, 1.0);
-        return radius(i) * std::min(1.0, std::sqrt((1 - cosine) / (1 + cosine + 1e-12)));
+        return radius(i) * std::min(most, std::sqrt((1 - cosine) / (1 + cosine + 1e-12)));
     }
 };
 
