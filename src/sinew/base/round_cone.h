@@ -54,6 +54,20 @@ struct ConeFrom {
         return square + length * (length - 2 * along) <= far * far;
     }
 
+    /// Signed distance of a point, seen from the near centre, to the surface: negative inside.
+    double distance(const Vec3& point) const {
+        const double along = point.dot(axis), to_near = point.norm();
+        if (!nested_) {
+            const double across = std::sqrt(std::max(0.0, to_near * to_near - along * along));
+            const double rise = along * cosine - across * sine;
+            if (rise <= 0) return to_near - near;
+            if (rise < length * cosine) return across * cosine + along * sine - near;
+        }
+        const double to_far =
+            std::sqrt(std::max(0.0, to_near * to_near + length * (length - 2 * along))) - far;
+        return nested_ ? std::min(to_near - near, to_far) : to_far;
+    }
+
     /// Heights above the near centre at which the straight side begins and ends.
     double side_begin() const { return near * sine; }
     double side_end() const { return length + far * sine; }

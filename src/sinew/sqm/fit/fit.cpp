@@ -17,6 +17,11 @@ namespace {
 constexpr std::uint8_t fit_steps = 8;
 constexpr double steepest_fitted = 0.3;  // cosine of a wall to its ray, in grooves
 
+/// Of what is outside the round cones, beside what is inside: a swelling is seen as a lump, a hollow as a fillet. With 1 the
+/// worst percent of the area of 38 skeletons of others swells by 0.15 / 0.69 r (median, worst), with 4 by 0.14 / 0.49, with 8
+/// by 0.12 / 0.41, but hollows grow by half.
+constexpr double weight_outside = 4;
+
 // What a smooth surface lacks it may only be given as far as the control mesh stays fair.
 constexpr double most_aside = 0.1;  // of a ring's radius: how much wider or narrower than a tube's it may be
 constexpr double most_of_column = 0.25;  // of the shortest edge along the tube, that a ring's point may move
@@ -59,6 +64,7 @@ struct Freedom {
     bool in_plane = false;
     float gain = 1;          ///< by how many times what is lacking
     std::uint8_t steps = 0;  ///< and how often
+    std::int32_t joint = -1;  ///< balanced over the faces round it, by the round cones of this joint
     std::uint32_t before = no_vertex,
                   after = no_vertex;  ///< the next one of the column, where the tube tapers
 };
@@ -175,6 +181,7 @@ class Fitter {
         if (in_groove(vertex, joint)) return;
         const Form* body = d_.surfaces.body[joint];
         from(vertex, centre, joint_sides_[joint], steps_at(joint));
+        if (d_.surfaces.only_cones[joint]) freedom_[vertex].joint = joint;
         if (!body || body->kind != Form::Kind::ball) return;
         const Vec3 ray = targets_[vertex] - centre;
         Vec3 normal = Vec3::Zero();
@@ -400,6 +407,63 @@ class Fitter {
         }
     }
 
+    /// The faces that touch a balanced vertex, and those round each of these.
+    void find_balanced() {
+        faces_.clear();
+        face_first_.assign(freedom_.size() + 1, 0);
+        for (std::size_t f = 0; f < b_.mesh.face_count(); ++f) {
+            const auto face = b_.mesh.face(f);
+            BalancedFace balanced{static_cast<std::uint32_t>(f)};
+            for (const std::uint32_t v : face) {
+                const std::int32_t joint = freedom_[v].joint;
+                if (joint < 0) continue;
+                (balanced.joint[0] < 0 || balanced.joint[0] == joint ? balanced.joint[0] : balanced.joint[1]) = joint;
+                ++face_first_[v + 1];
+            }
+            if (balanced.joint[0] >= 0) faces_.push_back(balanced);
+        }
+        for (std::size_t v = 0; v + 1 < face_first_.size(); ++v) face_first_[v + 1] += face_first_[v];
+        faces_of_.resize(face_first_.back());
+        std::vector<std::uint32_t> next(face_first_.begin(), face_first_.end() - 1);
+        for (std::uint32_t i = 0; i < faces_.size(); ++i)
+            for (const std::uint32_t v : b_.mesh.face(faces_[i].face))
+                if (freedom_[v].joint >= 0) faces_of_[next[v]++] = i;
+        outside_.assign(faces_.size(), 0);
+    }
+    double distance_to(std::int32_t joint, const Vec3& place) const {
+        const Vec3 from = place - d_.skeleton.position[n_.joint_node[joint]];
+        double least = std::numeric_limits<double>::infinity();
+        for (std::int32_t slot = n_.slot_first[joint]; slot < n_.slot_first[joint + 1]; ++slot)
+            least = std::min(least, d_.surfaces.cone[slot].distance(from));
+        return least;
+    }
+    void measure_faces(std::span<const Vec3> control, std::span<const Vec3> limit) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.size(), 512), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                const auto face = b_.mesh.face(faces_[i].face);
+                Vec3 of_control = Vec3::Zero(), of_limit = Vec3::Zero();
+                for (const std::uint32_t v : face) of_control += control[v], of_limit += limit[v];
+                const Vec3 centre = (0.75 * of_control + 0.25 * of_limit) / double(face.size());
+                double outside = std::numeric_limits<double>::infinity();
+                for (const std::int32_t joint : faces_[i].joint)
+                    if (joint >= 0) outside = std::min(outside, distance_to(joint, centre));
+                outside_[i] = outside;
+            }
+        });
+    }
+    void balance(std::uint32_t v, const Vec3& limit, std::vector<Vec3>& control) const {
+        double sum = 0, weights = 0;
+        const auto add = [&](double outside) {
+            const double weight = outside > 0 ? weight_outside : 1;
+            sum += weight * outside;
+            weights += weight;
+        };
+        add(distance_to(freedom_[v].joint, limit));
+        for (std::uint32_t i = face_first_[v]; i < face_first_[v + 1]; ++i) add(outside_[faces_of_[i]]);
+        const double mean = sum / weights;
+        control[v] = within_leeway(v, control[v] - mean * freedom_[v].axis.cast<double>());
+    }
+
     std::vector<Vec3> iterate(const LimitStencils& stencils, const std::vector<char>& moves) {
         std::vector<std::uint32_t> moving;
         for (std::size_t v = 0; v < moves.size(); ++v)
@@ -408,12 +472,18 @@ class Fitter {
         if (moving.empty()) return control;
         const std::vector<std::int32_t> group = groups();
         limit_by_edges(group);
+        find_balanced();
         for (int step = 0; step < fit_steps; ++step) {
             limit_positions(stencils, std::span<const Vec3>(control), limit);
+            measure_faces(control, limit);
             tbb::parallel_for(
                 tbb::blocked_range<std::size_t>(0, moving.size(), 2048), [&](const auto& range) {
                     for (std::size_t i = range.begin(); i < range.end(); ++i) {
                         const std::uint32_t v = moving[i];
+                        if (freedom_[v].joint >= 0) {
+                            balance(v, limit[v], control);
+                            continue;
+                        }
                         if (step >= freedom_[v].steps) continue;
                         const Vec3 axis = freedom_[v].axis.template cast<double>();
                         const Vec3 lack = target_at(v, limit[v], axis) - limit[v];
@@ -434,6 +504,13 @@ class Fitter {
     std::vector<Vec3> targets_;
     std::vector<Freedom> freedom_;
     std::vector<Leeway> leeway_;
+    struct BalancedFace {
+        std::uint32_t face;
+        std::array<std::int32_t, 2> joint{-1, -1};
+    };
+    std::vector<BalancedFace> faces_;
+    std::vector<std::uint32_t> face_first_, faces_of_;  ///< balanced vertex -> its faces, as indices in faces_
+    std::vector<double> outside_;                       ///< how far the middles of faces_ are outside
     std::vector<RingFactors> factors_;       ///< by the number of sides
     std::vector<std::int32_t> joint_sides_;  ///< joint -> of its path of fewest sides
 };
