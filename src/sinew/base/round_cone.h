@@ -54,6 +54,20 @@ struct ConeFrom {
         return square + length * (length - 2 * along) <= far * far;
     }
 
+    /// Signed distance of a point, seen from the near centre: negative inside.
+    double distance(const Vec3& point) const {
+        // In the plane of the axis and the point: which of the two balls, or the slanted side between them, is
+        // nearest?
+        const double along = point.dot(axis), across = (point - along * axis).norm();
+        const double beyond = along - length;
+        const double to_near = std::sqrt(along * along + across * across) - near;
+        const double to_far = std::sqrt(beyond * beyond + across * across) - far;
+        if (nested_) return std::min(to_near, to_far);
+        const double rise = along * cosine - across * sine;
+        if (rise <= 0) return to_near;
+        return rise >= length * cosine ? to_far : across * cosine + along * sine - near;
+    }
+
     /// Heights above the near centre at which the straight side begins and ends.
     double side_begin() const { return near * sine; }
     double side_end() const { return length + far * sine; }
