@@ -18,7 +18,7 @@ constexpr const char* skin_examples = R"(Examples:
   cat hand.sinew | sinew skin - --from sinew -o - --to obj > hand.obj
 
 Radii: with --fit control the mesh itself has the radii of the skeleton, with --fit limit (the default with
---subdivide) the smooth surface has that subdivision makes of it.
+--subdivide) the smooth surface has that subdivision makes of it, at once or later: sinew subdivide --limit.
 Measured skeletons (.swc, .graph) are thinned out where nodes are far closer than a radius; --keep-nodes keeps all.)";
 
 struct SkinCommand {
