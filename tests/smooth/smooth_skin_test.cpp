@@ -137,6 +137,23 @@ TEST(SmoothSkinner, RemembersAndChangesNoByte) {
             }
 }
 
+TEST(SmoothSkinner, SaysWhereVerticesCameFromWhenABoneGrows) {
+    // A branch: how far along a bone its rings stand depends on its length.
+    SmoothSkinner skinner;
+    std::vector<float> along;
+    int same_topology = 0;
+    for (int step = 0; step < 12; ++step) {
+        Document document = stick();
+        document.nodes.push_back({.id = 3, .parent = 1, .position = {3 + 0.05 * step, 0, 5}, .radius = 0.5});
+        const auto again = skinner(document, {.levels = 1}), anew = smooth_skin(document, {.levels = 1});
+        expect_same_bytes(again->skin.mesh, anew->skin.mesh);
+        same_topology +=
+            anew->skin.mesh.vertex_along.size() == along.size() && anew->skin.mesh.vertex_along != along;
+        along = anew->skin.mesh.vertex_along;
+    }
+    EXPECT_GT(same_topology, 0);  // or else this shows nothing
+}
+
 TEST(SmoothSkinner, GoesOnAfterAFailure) {
     SmoothSkinner skinner;
     Document document = stick();
