@@ -61,17 +61,16 @@ Result<Outcome> CheckCommand::work(Session& session, const Job& job) const {
 
 void add_check(CLI::App& program, Session& session) {
     auto command = std::make_shared<CheckCommand>();
-    CLI::App& app = *program.add_subcommand("check", "Tell whether a mesh or a skeleton is sound");
-    app.footer(check_examples);
-    add_inputs(app, command->files, "Meshes or skeletons");
+    CLI::App& app = add_command(program, command->files,
+                                {.name = "check",
+                                 .about = "Tell whether a mesh or a skeleton is sound",
+                                 .inputs = "Meshes or skeletons",
+                                 .examples = check_examples});
     app.add_option("--skeleton", command->skeleton, "The skeleton that the mesh was made of")
         ->type_name("FILE");
     app.add_flag("--fast", command->fast, "Do not look for faces that run through each other");
     add_strict(app, session);
-    add_reporting(app, session);
-    app.callback([command, &session] {
-        session.run(command->files, "", [&](const Job& job) { return command->work(session, job); });
-    });
+    work_on_each_input(app, session, command, "");
 }
 
 }  // namespace sinew::cli

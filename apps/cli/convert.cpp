@@ -78,16 +78,15 @@ Result<Outcome> ConvertCommand::work(Session& session, const Job& job) const {
 
 void add_convert(CLI::App& program, Session& session) {
     auto command = std::make_shared<ConvertCommand>();
-    CLI::App& app = *program.add_subcommand("convert", "Write a skeleton or a mesh in another format");
-    app.footer(convert_examples);
-    add_inputs(app, command->files, "Skeletons or meshes");
-    add_output(app, command->files, "The same in another format");
+    CLI::App& app = add_command(program, command->files,
+                                {.name = "convert",
+                                 .about = "Write a skeleton or a mesh in another format",
+                                 .inputs = "Skeletons or meshes",
+                                 .output = "The same in another format",
+                                 .examples = convert_examples});
     app.add_flag("--ascii", command->ascii, "PLY as text");
     add_strict(app, session);
-    add_reporting(app, session);
-    app.callback([command, &session] {
-        session.run(command->files, "", [&](const Job& job) { return command->work(session, job); });
-    });
+    work_on_each_input(app, session, command, "");
 }
 
 }  // namespace sinew::cli

@@ -218,20 +218,19 @@ struct EditCommand {
 
 void add_edit(CLI::App& program, Session& session) {
     auto command = std::make_shared<EditCommand>();
-    CLI::App& app = *program.add_subcommand("edit", "Change a skeleton by operations");
-    app.footer(help);
-    add_inputs(app, command->files, "Skeletons");
-    add_output(app, command->files, "The changed skeleton");
+    CLI::App& app = add_command(program, command->files,
+                                {.name = "edit",
+                                 .about = "Change a skeleton by operations",
+                                 .inputs = "Skeletons",
+                                 .output = "The changed skeleton",
+                                 .examples = help});
     app.add_option("--op", command->operations, "An operation, see below")
         ->required()
         ->type_name("OP")
         ->take_all()
         ->allow_extra_args(false);
     add_strict(app, session);
-    add_reporting(app, session);
-    app.callback([command, &session] {
-        session.run(command->files, ".sinew", [&](const Job& job) { return command->work(session, job); });
-    });
+    work_on_each_input(app, session, command, ".sinew");
 }
 
 }  // namespace sinew::cli

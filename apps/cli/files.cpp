@@ -38,6 +38,14 @@ Result<void> heed_interrupt() {
     return {};
 }
 
+CLI::App& add_command(CLI::App& program, FileOptions& files, const CommandWords& words) {
+    CLI::App& app = *program.add_subcommand(words.name, words.about);
+    app.footer(words.examples);
+    add_inputs(app, files, words.inputs);
+    if (!words.output.empty()) add_output(app, files, words.output);
+    return app;
+}
+
 void add_inputs(CLI::App& command, FileOptions& files, const std::string& what) {
     command.add_option("IN", files.inputs, what + "; - is standard input")->required()->type_name("FILE");
     command.add_option("--from", files.from, "Format of the input, where its extension does not say")

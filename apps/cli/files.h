@@ -4,6 +4,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "cli/session.h"
 #include "sinew/io/mesh_formats.h"
@@ -12,11 +16,33 @@
 
 namespace sinew::cli {
 
+/// What the help of a command says first.
+struct CommandWords {
+    std::string name, about;
+    std::string inputs, output;  ///< what these are; no output: the command writes no file
+    std::string examples;
+};
+
+/// A subcommand with the options that name its files.
+CLI::App& add_command(CLI::App& program, FileOptions& files, const CommandWords& words);
+
 // Options: IN... with --from; -o with --to; --json and --quiet; --strict.
 void add_inputs(CLI::App& command, FileOptions& files, const std::string& what);
 void add_output(CLI::App& command, FileOptions& files, const std::string& what);
 void add_reporting(CLI::App& command, Session& session);
 void add_strict(CLI::App& command, Session& session);
+
+/// Ends a command: --json and --quiet, and what is done with each input, `command->work(session, job)`.
+/// @param command    has FileOptions `files`; lives as long as the program's options
+/// @param extension  see plan_jobs()
+template <class Command>
+void work_on_each_input(CLI::App& app, Session& session, std::shared_ptr<Command> command,
+                        std::string_view extension) {
+    add_reporting(app, session);
+    app.callback([command = std::move(command), &session, extension] {
+        session.run(command->files, extension, [&](const Job& job) { return command->work(session, job); });
+    });
+}
 
 /// A check for numbers: `least` or more, at most a billion (or `most`).
 CLI::Validator at_least(std::int64_t least, std::int64_t most = 1'000'000'000);
@@ -27,8 +53,9 @@ CLI::Validator one_of(std::vector<std::string> choices);
 /// Fails (kind cancelled) once Ctrl-C was pressed: look before anything is written.
 Result<void> heed_interrupt();
 
-/// Is the input read as a mesh? (Formats that hold both, such as glTF, are read as skeletons.) Fails for none
-/// of both.
+/// Is the input read as a mesh? Formats that hold both, such as glTF, are where the file has a mesh; standard
+/// input, which can be read only once, is wherever its format can hold one. Fails for a format that holds
+/// neither.
 Result<bool> is_mesh(const Job& job, const FileOptions& files);
 
 /// @param validate  false: a native document that validate() refuses is read all the same

@@ -7,8 +7,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "sinew/io/files.h"
-#include "sinew/sqm/skin.h"
-#include "sinew/subdivide/subdivide.h"
+#include "sinew/smooth/smooth_skin.h"
 
 namespace sinew::cli {
 namespace {
@@ -90,28 +89,28 @@ RenderOptions RenderCommand::options() const {
     return options;
 }
 
-/// The mesh to draw: that of the file, or that of the skeleton in it, whose bones go into the scene if
-/// wanted.
+/// The mesh to draw, subdivided if wanted: that of the file, or what `sinew skin` makes of the skeleton in it,
+/// whose bones go into the scene if wanted.
 Result<QuadMesh> RenderCommand::mesh(Session& session, const Job& job, Scene& scene) const {
     const auto kind = is_mesh(job, files);
     if (!kind) return fail(kind.error());
-    if (*kind) return read_input_mesh(job, files);
-
+    if (*kind) {
+        auto control = read_input_mesh(job, files);
+        if (!control || levels == 0) return control;
+        return subdivide(*control, {.levels = levels, .detect_poles = true}, session.progress(0, 0.6));
+    }
     const auto read = read_input_skeleton(session, job, files);
     if (!read) return fail(read.error());
-    const Fit fit = levels > 0 ? Fit::limit : Fit::control;
-    auto made = skin(read->document, {.fit = fit, .repair = read->measured}, session.progress(0, 0.4));
+    auto made =
+        smooth_skin(read->document, {.levels = levels, .repair = read->measured}, session.progress(0, 0.6));
     if (!made) return fail(made.error());
     if (skeleton) scene.glyphs = make_glyphs(read->document, slender_glyphs);
-    return std::move(made->mesh);
+    return std::move(made->skin.mesh);
 }
 
 Result<Scene> RenderCommand::scene(Session& session, const Job& job) const {
     Scene scene;
-    auto drawn = mesh(session, job, scene);
-    if (!drawn) return fail(drawn.error());
-    if (levels > 0)
-        drawn = subdivide(*drawn, {.levels = levels, .detect_poles = true}, session.progress(0.4, 0.6));
+    const auto drawn = mesh(session, job, scene);
     if (!drawn) return fail(drawn.error());
     scene.mesh = mesh_buffers(*drawn);
     if (!bones.empty()) {

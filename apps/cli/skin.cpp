@@ -1,15 +1,12 @@
-#include "sinew/sqm/skin.h"
-
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "sinew/io/units.h"
-#include "sinew/subdivide/subdivide.h"
+#include "sinew/smooth/smooth_skin.h"
 
 namespace sinew::cli {
 namespace {
@@ -21,7 +18,7 @@ constexpr const char* skin_examples = R"(Examples:
   cat hand.sinew | sinew skin - --from sinew -o - --to obj > hand.obj
 
 Radii: with --fit control the mesh itself has the radii of the skeleton, with --fit limit (the default with
---subdivide) the smooth surface has that subdivision makes of it.
+--subdivide) the smooth surface has that subdivision makes of it, at once or later: sinew subdivide --limit.
 Measured skeletons (.swc, .graph) are thinned out where nodes are far closer than a radius; --keep-nodes keeps all.)";
 
 struct SkinCommand {
@@ -32,7 +29,8 @@ struct SkinCommand {
     std::string stage = "place";
     bool keep_nodes = false;
 
-    SkinOptions options(bool measured) const;
+    SmoothSkinOptions options(bool measured) const;
+    std::string advice(const Job& job) const;
     Result<Outcome> work(Session& session, const Job& job) const;
 };
 
@@ -41,10 +39,12 @@ const std::map<std::string, SkinStage> stages{{"polyhedra", SkinStage::polyhedra
                                               {"bridge", SkinStage::bridge},
                                               {"place", SkinStage::place}};
 
-SkinOptions SkinCommand::options(bool measured) const {
-    const bool limit = fit.empty() ? levels > 0 : fit == "limit";
-    return {.sides = sides == "auto" ? 0 : std::stoi(sides),
-            .fit = limit ? Fit::limit : Fit::control,
+SmoothSkinOptions SkinCommand::options(bool measured) const {
+    std::optional<Fit> fitted;
+    if (!fit.empty()) fitted = fit == "limit" ? Fit::limit : Fit::control;
+    return {.levels = levels,
+            .fit = fitted,
+            .sides = sides == "auto" ? 0 : std::stoi(sides),
             .repair = measured && !keep_nodes,
             .stage = stages.at(stage)};
 }
@@ -63,29 +63,29 @@ Outcome describe(const Skin& skin, const Job& job, double seconds) {
     return outcome;
 }
 
+/// A control mesh that is fitted to its limit stands out from the skeleton's radii, and so do the coarse levels
+/// of what is made of it: mesh files do not say so.
+std::string SkinCommand::advice(const Job& job) const {
+    if (fit != "limit" || levels > 0 || stage != "place") return {};
+    return fmt::format("  its limit surface has the radii: sinew subdivide {} --limit -o ...\n", job.output);
+}
+
 Result<Outcome> SkinCommand::work(Session& session, const Job& job) const {
     if (const auto able = check_mesh_output(job, files); !able) return fail(able.error());
     const auto read = read_input_skeleton(session, job, files);
     if (!read) return fail(read.error());
 
-    const auto begin = std::chrono::steady_clock::now();
-    const SkinOptions chosen = options(read->measured);
-    auto made = skin(read->document, chosen, session.progress(0, levels > 0 ? 0.5 : 0.9));
+    const auto made = smooth_skin(read->document, options(read->measured), session.progress(0, 0.9));
     if (!made) return fail(made.error());
-    if (const auto told = session.warn(job.input, made->warnings); !told) return fail(told.error());
-    if (levels > 0) {
-        // Whoever wants the radii on the limit surface wants the vertices there too.
-        const SubdivideOptions finer{.levels = levels, .limit = chosen.fit == Fit::limit};
-        auto fine = subdivide(made->mesh, finer, session.progress(0.5, 0.9));
-        if (!fine) return fail(fine.error());
-        made->mesh = std::move(*fine);
-    }
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    const Skin& skin = made->skin;
+    if (const auto told = session.warn(job.input, skin.warnings); !told) return fail(told.error());
 
     const double metres = metres_in(read->document.unit).value_or(1);
-    const auto written = write_output_mesh(made->mesh, job, files, {.metres_a_unit = metres});
+    const auto written = write_output_mesh(skin.mesh, job, files, {.metres_a_unit = metres});
     if (!written) return fail(written.error());
-    return describe(*made, job, seconds.count());
+    Outcome outcome = describe(skin, job, made->skin_seconds + made->subdivide_seconds);
+    outcome.text += advice(job);
+    return outcome;
 }
 
 std::string wrong_sides(const std::string& text) {
@@ -99,10 +99,12 @@ std::string wrong_sides(const std::string& text) {
 
 void add_skin(CLI::App& program, Session& session) {
     auto command = std::make_shared<SkinCommand>();
-    CLI::App& app = *program.add_subcommand("skin", "Make a mesh of a skeleton");
-    app.footer(skin_examples);
-    add_inputs(app, command->files, "Skeletons");
-    add_output(app, command->files, "The mesh");
+    CLI::App& app = add_command(program, command->files,
+                                {.name = "skin",
+                                 .about = "Make a mesh of a skeleton",
+                                 .inputs = "Skeletons",
+                                 .output = "The mesh",
+                                 .examples = skin_examples});
     app.add_option("--subdivide", command->levels, "Subdivide the mesh so often")
         ->type_name("N")
         ->check(at_least(0, 10));
@@ -119,10 +121,7 @@ void add_skin(CLI::App& program, Session& session) {
         ->type_name("NAME")
         ->check(one_of({"polyhedra", "refine", "bridge", "place"}));
     add_strict(app, session);
-    add_reporting(app, session);
-    app.callback([command, &session] {
-        session.run(command->files, ".obj", [&](const Job& job) { return command->work(session, job); });
-    });
+    work_on_each_input(app, session, command, ".obj");
 }
 
 }  // namespace sinew::cli

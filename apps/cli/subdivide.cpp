@@ -21,7 +21,7 @@ mesh files say nothing of them.)";
 
 struct SubdivideCommand {
     FileOptions files;
-    SubdivideOptions options{.detect_poles = true};
+    SubdivideOptions options;
     bool catmull_clark = false;
 
     Result<Outcome> work(Session& session, const Job& job) const;
@@ -31,7 +31,9 @@ Result<Outcome> SubdivideCommand::work(Session& session, const Job& job) const {
     if (const auto able = check_mesh_output(job, files); !able) return fail(able.error());
     const auto control = read_input_mesh(job, files);
     if (!control) return fail(control.error());
-    const auto fine = subdivide(*control, options, session.progress());
+    SubdivideOptions chosen = options;
+    chosen.detect_poles = !catmull_clark;
+    const auto fine = subdivide(*control, chosen, session.progress());
     if (!fine) return fail(fine.error());
     if (const auto written = write_output_mesh(*fine, job, files); !written) return fail(written.error());
     return Outcome{.text = fmt::format("{}: {}\n", job.output, counts_text(*fine)),
@@ -42,20 +44,18 @@ Result<Outcome> SubdivideCommand::work(Session& session, const Job& job) const {
 
 void add_subdivide(CLI::App& program, Session& session) {
     auto command = std::make_shared<SubdivideCommand>();
-    CLI::App& app = *program.add_subcommand("subdivide", "Make a mesh finer and smooth");
-    app.footer(subdivide_examples);
-    add_inputs(app, command->files, "Meshes");
-    add_output(app, command->files, "The finer mesh");
+    CLI::App& app = add_command(program, command->files,
+                                {.name = "subdivide",
+                                 .about = "Make a mesh finer and smooth",
+                                 .inputs = "Meshes",
+                                 .output = "The finer mesh",
+                                 .examples = subdivide_examples});
     app.add_option("--levels", command->options.levels, "Subdivide so often (1)")
         ->type_name("N")
         ->check(at_least(0, 20));
     app.add_flag("--limit", command->options.limit, "Put the vertices where endless subdivision would");
     app.add_flag("--catmull-clark", command->catmull_clark, "Treat poles as any other vertex");
-    add_reporting(app, session);
-    app.callback([command, &session] {
-        command->options.detect_poles = !command->catmull_clark;
-        session.run(command->files, ".obj", [&](const Job& job) { return command->work(session, job); });
-    });
+    work_on_each_input(app, session, command, ".obj");
 }
 
 }  // namespace sinew::cli

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <thread>
+#include <vector>
 
 namespace sinew {
 namespace {
@@ -27,6 +28,19 @@ TEST(Progress, CopiesReportToTheSameListenerAndStopTogether) {
     EXPECT_TRUE(copy.cancelled());
     EXPECT_TRUE(progress.cancelled());
     EXPECT_EQ(Progress::stopped().value().kind, ErrorKind::cancelled);
+}
+
+TEST(Progress, OfAPartRunsWithinThatOfTheWhole) {
+    std::vector<double> shares;
+    const std::atomic<bool> stop = true;
+    const Progress whole([&](double share, std::string_view) { shares.push_back(share); }, &stop);
+    const Progress part = whole.part(0.5, 0.75);
+    for (const double share : {0.0, 0.5, 1.0}) part(share, "stage");
+    part.part(0, 0.5)(1, "stage");
+    EXPECT_EQ(shares, (std::vector{0.5, 0.625, 0.75, 0.625}));
+    EXPECT_TRUE(part.cancelled());
+    EXPECT_TRUE(Progress({}, &stop).part(0, 1).cancelled());
+    Progress().part(0, 1)(0.5, "to nobody");
 }
 
 }  // namespace

@@ -28,6 +28,18 @@ TEST(RoundCone, RaysLeaveItOnItsSurface) {
     }
 }
 
+TEST(RoundCone, DistanceIsThatFromTheBallsBetweenItsEnds) {
+    property::Random random(3);
+    for (int i = 0; i < 60; ++i) {  // some are balls within balls
+        const Vec3 to = random.between(0.1, 4) * random.direction();
+        const double near = random.between(0.2, 1), far = random.between(0.2, 2);
+        const ConeFrom cone(Vec3::Zero(), near, to, far);
+        const Vec3 point = random.between(0, 6) * random.direction();
+        EXPECT_NEAR(cone.distance(point), distance(point, near, to, far), 1e-4);
+        EXPECT_EQ(cone.holds(point), cone.distance(point) <= 0);
+    }
+}
+
 TEST(RoundCone, HoldsARayUpToWhereThatLeavesIt) {
     property::Random random(2);
     for (int i = 0; i < 2000; ++i) {  // some are balls within balls

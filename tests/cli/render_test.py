@@ -65,6 +65,14 @@ class Render(ProgramTest):
             with self.subTest(name):
                 self.assertGreater(self.covered(name), 0.05)
 
+    def test_a_skeleton_looks_as_what_skin_makes_of_it(self):
+        for name in ("tube.graph", "tripod.sinew"):
+            for levels in ([], ["--subdivide", "2"]):
+                with self.subTest(name, levels=levels):
+                    self.done("skin", name, "-o", "mesh.ply", *levels)
+                    self.assertEqual(self.picture(name, *levels, "--size", "160x120"),
+                                     self.picture("mesh.ply", "--size", "160x120"))
+
     def test_views_and_wire_differ(self):
         pictures = [self.picture("tripod.sinew", "--size", "64x64", *options)[3]
                     for options in (["--view", "front"], ["--view", "iso"], ["--wire"], ["--skeleton"],

@@ -1,6 +1,7 @@
 """sinew skin, subdivide, convert and grow: what is written is what was asked for."""
 import json
 import math
+import re
 import unittest
 
 from program import TRIPOD, ProgramTest, tube
@@ -66,6 +67,21 @@ class Skin(ProgramTest):
         self.assertEqual(euler_number(vertices, faces), 2)
         radii = [(x * x + y * y) ** 0.5 for x, y, z in vertices if 20 < z < 40]
         self.assertAlmostEqual(sum(radii) / len(radii), 1, delta=0.03)
+
+    def test_fitted_to_the_limit_says_how_to_get_there(self):
+        """Mesh files cannot say that only the limit surface has the radii."""
+        self.write("tube.graph", tube(nodes=13, distance=5))
+
+        def radii(name):
+            vertices, _ = obj(self.read(name))
+            return [(x * x + y * y) ** 0.5 for x, y, z in vertices if 20 < z < 40]
+        said = self.done("skin", "tube.graph", "-o", "mesh.obj", "--fit", "limit").stdout
+        self.assertGreater(max(radii("mesh.obj")), 1.3)
+        advice = re.search(r"sinew (subdivide mesh.obj --limit)", said).group(1)
+        self.done(*advice.split(), "-o", "smooth.obj")
+        self.assertTrue(all(abs(radius - 1) < 0.02 for radius in radii("smooth.obj")))
+        for options in ([], ["--subdivide", "1"], ["--subdivide", "1", "--fit", "limit"], ["--stage", "bridge"]):
+            self.assertNotIn("limit", self.done("skin", "tube.graph", "-o", "mesh.obj", *options).stdout)
 
     def test_stages_are_meshes(self):
         for stage in ("polyhedra", "refine", "bridge", "place"):

@@ -106,8 +106,7 @@ TEST(Deviation, TheHierarchyFindsTheNearestOfAll) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t c = 0; c < cones.size(); ++c)
-            nearest = std::min(nearest, distance(points[i], one_cone(cones.from[c], cones.from_radius[c],
-                                                                     cones.to[c], cones.to_radius[c])));
+            nearest = std::min(nearest, distance(points[i], {{cones.from[c]}, {cones.cones[c]}}));
         ASSERT_DOUBLE_EQ(all.distance[i], nearest);
     }
 }
@@ -127,8 +126,10 @@ TEST(Deviation, AgreesWithTheToolOfTheSharedFolder) {
     auto node = [&](const Vec3& p, double r) {
         graph << "n " << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << r << '\n';
     };
-    for (std::size_t i = 0; i < cones.size(); ++i)
-        node(cones.from[i], cones.from_radius[i]), node(cones.to[i], cones.to_radius[i]);
+    for (std::size_t i = 0; i < cones.size(); ++i) {
+        const ConeFrom& cone = cones.cones[i];
+        node(cones.from[i], cone.near), node(cones.from[i] + cone.length * cone.axis, cone.far);
+    }
     for (std::size_t i = 0; i < cones.size(); ++i) graph << "c " << 2 * i << ' ' << 2 * i + 1 << '\n';
     graph.close();
     const std::string command = "/usr/bin/python3 " + tool.string() + " --nocoverage --json " + stem +

@@ -21,6 +21,13 @@ Document limbs() {
     return document;
 }
 
+TEST(Edits, there_is_a_free_id_beside_the_highest_of_all) {
+    Document document = limbs();
+    document.nodes[1].id = std::numeric_limits<std::int64_t>::max();
+    for (int i = 0; i < 3; ++i) append_node(document, {.id = -1, .parent = 0});
+    EXPECT_TRUE(validate(document)) << validate(document).error().text();
+}
+
 TEST(Edits, a_document_starts_with_a_root_and_a_mirror) {
     const Document document = starting_document();
     EXPECT_TRUE(validate(document));

@@ -1,4 +1,4 @@
-#include "tools/snap.h"
+#include "document/snap.h"
 
 #include <gtest/gtest.h>
 

@@ -28,6 +28,16 @@ TEST(Graph, AdjacencyListsTheBonesOfEachNode) {
     EXPECT_EQ(around.degree(2), 3);
 }
 
+TEST(Graph, LeavesHaveOneBoneOfAnyKind) {
+    Document document;  // 0 - 1 - 2, 1 - 3, and a link 3 - 4; 5 alone
+    document.nodes.resize(6);
+    for (const auto& [child, parent] : {std::pair{1, 0}, {2, 1}, {3, 1}})
+        document.nodes[child].parent = parent;
+    document.links = {{3, 4}};
+    EXPECT_THAT(leaves_of(document), ElementsAre(0, 2, 4));
+    EXPECT_EQ(adjacency(document).degree(3), 2);
+}
+
 TEST(Graph, CyclesAreBonesMinusNodesPlusComponents) {
     const GraphCounts counts = count_graph(6, bones);
     EXPECT_EQ(counts.components, 3);

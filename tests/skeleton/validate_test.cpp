@@ -75,7 +75,14 @@ INSTANTIATE_TEST_SUITE_P(
              "/nodes/1/id: node -1: the id -1 is negative"},
         Case{"RepeatedId", [](Document& d) { d.nodes[3].id = 10; },
              "/nodes/3/id: node 10: the id 10 is used twice"},
-        Case{"NoSuchParent", [](Document& d) { d.nodes[3].parent = 9; }, "/nodes/3/parent: node 13"},
+        Case{"NoSuchParent", [](Document& d) { d.nodes[3].parent = 9; },
+             "/nodes/3/parent: node 13: there is no parent 9 for the node at index 3: a parent is an index "
+             "into "
+             "the nodes, and there are 4; name an existing node, or -1 for a root"},
+        Case{"IdForAParent", [](Document& d) { d.nodes[3].parent = 12; },
+             "there is no parent 12 for the node at index 3: a parent is an index into the nodes, and there "
+             "are "
+             "4; the node with the id 12 is at index 2"},
         Case{"OwnParent", [](Document& d) { d.nodes[3].parent = 3; },
              "/nodes/3/parent: node 13: the node is its own parent"},
         Case{"ParentCycle", [](Document& d) { d.nodes[0].parent = 3; },
@@ -98,7 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
              [](Document& d) {
                  d.links = {{0, 4}};
              },
-             "/links/0: the link names a node that does not exist"},
+             "/links/0: the link of 0 and 4 names a node that does not exist: its ends are indices into the "
+             "nodes, and there are 4"},
         Case{"LinkToItself",
              [](Document& d) {
                  d.links = {{2, 3}, {2, 2}};

@@ -1,6 +1,9 @@
 /// Limit positions and normals of finer levels.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+
 #include "sinew/mesh/limit.h"
 #include "sinew/subdivide/subdivide.h"
 #include "subdivide/feature_shapes.h"
@@ -150,6 +153,27 @@ TEST(LimitNormals, AgreeBetweenLevels) {
             EXPECT_GT(one[4 * f].dot(three[4 * (16 * f)]), 1 - 1e-5f) << seed << " vertex " << v;
         }
     }
+}
+
+TEST(LimitNormals, SeveralThreadsMayAskForAtOnce) {
+    // Circles are what positions would have to move for.
+    for (const bool limit : {false, true})
+        for (const int levels : {0, 3}) {
+            const auto made =
+                Subdivider::build(shapes::flat_tube(12, 16), {.levels = levels, .limit = limit});
+            ASSERT_TRUE(made);
+            const Subdivider& tube = *made;
+            const std::vector<Vec3f> normals = tube.limit_normals(), positions = tube.mesh().positions;
+            std::atomic<int> wrong = 0;
+            std::vector<std::thread> threads;
+            for (int i = 0; i < 4; ++i)
+                threads.emplace_back([&] {
+                    for (int k = 0; k < 20; ++k)
+                        wrong += tube.limit_normals() != normals || tube.mesh().positions != positions;
+                });
+            for (std::thread& thread : threads) thread.join();
+            EXPECT_EQ(wrong, 0) << levels << " " << limit;
+        }
 }
 
 }  // namespace

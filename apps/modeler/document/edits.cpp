@@ -5,39 +5,21 @@
 
 #include "sinew/skeleton/edit.h"
 #include "sinew/skeleton/graph.h"
+#include "sinew/skeleton/rewire.h"
 
 namespace sinew::modeler {
 namespace {
 
 const double smallest_length = 1e-12, largest_length = 1e12;
 
-std::vector<std::int32_t> degrees_of(std::size_t nodes, std::span<const Bone> bones) {
-    std::vector<std::int32_t> degrees(nodes, 0);
-    for (const Bone& bone : bones)
-        for (std::int32_t node : bone) ++degrees[node];
-    return degrees;
-}
-
-bool for_leaves_only(NodeType type) {
-    return type == NodeType::cone || type == NodeType::hemisphere || type == NodeType::negative;
-}
-
-/// Drops links that double a bone, and makes spheres of tips that are no leaves any more, and of the first of
-/// two negatives that have only each other to press into: so that whatever one does to a sound document
-/// leaves a sound one.
+/// Drops links that double a bone, and makes spheres of tips that are no leaves any more: so that whatever one
+/// does to a sound document leaves a sound one.
 void tidy(Document& document) {
     std::erase_if(document.links, [&](const auto& link) {
         return link[0] == link[1] || document.nodes[link[0]].parent == link[1] ||
                document.nodes[link[1]].parent == link[0];
     });
-    const std::vector<Bone> bones = bones_of(document);
-    const std::vector<std::int32_t> degrees = degrees_of(document.nodes.size(), bones);
-    for (std::size_t i = 0; i < degrees.size(); ++i)
-        if (for_leaves_only(document.nodes[i].type) && degrees[i] != 1)
-            document.nodes[i].type = NodeType::sphere;
-    for (const auto& [a, b] : bones)
-        if (document.nodes[a].type == NodeType::negative && document.nodes[b].type == NodeType::negative)
-            document.nodes[a].type = NodeType::sphere;
+    round_off_inner_tips(document);
 }
 
 std::int32_t root_of(const Document& document, std::int32_t node) {
@@ -66,14 +48,8 @@ Document starting_document() {
     return document;
 }
 
-std::int64_t unused_id(const Document& document) {
-    std::int64_t id = 0;
-    for (const Node& node : document.nodes) id = std::max(id, node.id + 1);
-    return id;
-}
-
 std::int32_t append_node(Document& document, Node node) {
-    if (node.id < 0) node.id = unused_id(document);
+    if (node.id < 0) node.id = FreshIds(document).next();
     document.nodes.push_back(node);
     if (!document.names.empty()) document.names.emplace_back();
     if (!document.extras.empty()) document.extras.emplace_back();
@@ -91,7 +67,7 @@ Edited add_children(Document document, std::span<const std::int32_t> parents) {
         Node child = descendant_of(document.nodes[parent]);
         child.id = -1;
         child.parent = parent;
-        if (for_leaves_only(document.nodes[parent].type)) child.type = document.nodes[parent].type;
+        if (is_tip(document.nodes[parent].type)) child.type = document.nodes[parent].type;
         children.push_back(append_node(document, child));
     }
     tidy(document);

@@ -23,8 +23,6 @@ struct Edited {
 /// One node of radius 0.5 at the origin, mirrored at the plane x = 0.
 Document starting_document();
 
-std::int64_t unused_id(const Document& document);
-
 /// Appends a node, keeping the side tables in step; returns its index. An id of -1 takes one that is free.
 std::int32_t append_node(Document& document, Node node);
 

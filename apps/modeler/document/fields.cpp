@@ -18,23 +18,15 @@ constexpr double degree = std::numbers::pi / 180;
 const Node& node(const Document& d, std::int32_t i) { return d.nodes[i]; }
 Node& node(Document& d, std::int32_t i) { return d.nodes[i]; }
 
-bool always(const Document&, std::int32_t) { return true; }
-bool is_cube(const Document& d, std::int32_t i) { return node(d, i).type == NodeType::cube; }
-bool has_section(const Document& d, std::int32_t i) { return !is_cube(d, i); }
-
-/// Bones at a node; the documents that people edit by hand are small.
-int degree_of(const Document& d, std::int32_t i) {
-    int count = node(d, i).parent >= 0;
-    for (const Node& other : d.nodes) count += other.parent == i;
-    for (const auto& link : d.links) count += (link[0] == i) + (link[1] == i);
-    return count;
+bool always(const Node&, std::int32_t) { return true; }
+bool is_cube(const Node& node, std::int32_t) { return node.type == NodeType::cube; }
+bool has_section(const Node& node, std::int32_t) { return node.type != NodeType::cube; }
+bool has_depth(const Node& node, std::int32_t degree) {
+    return node.type == NodeType::ball || (node.type != NodeType::cube && degree == 0);
 }
-bool has_depth(const Document& d, std::int32_t i) {
-    return node(d, i).type == NodeType::ball || (has_section(d, i) && degree_of(d, i) == 0);
-}
-bool can_turn(const Document& d, std::int32_t i) {
-    const bool solid = is_cube(d, i) || node(d, i).type == NodeType::ball;
-    return solid && (node(d, i).parent < 0 || degree_of(d, i) > 2);
+bool can_turn(const Node& node, std::int32_t degree) {
+    const bool solid = node.type == NodeType::cube || node.type == NodeType::ball;
+    return solid && (node.parent < 0 || degree > 2);
 }
 
 Vec3 position_of(const Node& n) { return n.position; }
@@ -51,7 +43,7 @@ struct Triple {
     void (*write)(Node&, const Vec3&);
     Unit unit;
     double least, most;
-    bool (*relevant)(const Document&, std::int32_t);
+    bool (*relevant)(const Node&, std::int32_t degree);
 };
 constexpr Triple position{position_of, set_position, Unit::length, -any, any, always};
 constexpr Triple section{scale_of, set_scale, Unit::factor, tiny, any, has_section};
@@ -123,8 +115,9 @@ std::optional<double> common_value(const Document& document, std::span<const std
 }
 
 bool relevant_to_all(const Document& document, std::span<const std::int32_t> nodes, const Field& field) {
+    const Adjacency around = adjacency(document);
     return std::all_of(nodes.begin(), nodes.end(),
-                       [&](std::int32_t i) { return field.relevant(document, i); });
+                       [&](std::int32_t i) { return field.relevant(document.nodes[i], around.degree(i)); });
 }
 
 Document with_value(Document document, std::span<const std::int32_t> nodes, const Field& field,

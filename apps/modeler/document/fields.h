@@ -21,8 +21,9 @@ struct Field {
     double most;
     double (*get)(const Document&, std::int32_t node);
     void (*put)(Document&, std::int32_t node, double value);
-    /// False where the field means nothing for the node: the depth of a leaf, the extents of a ball.
-    bool (*relevant)(const Document&, std::int32_t node);
+    /// False where the field means nothing for a node of so many bones: the depth of a leaf, the extents of a
+    /// ball.
+    bool (*relevant)(const Node&, std::int32_t degree);
 };
 
 std::span<const Field> fields();

@@ -38,9 +38,8 @@ struct Glyphing {
     std::vector<Stick> bones;      ///< one a bone, in the order of bones_of
 };
 
-/// @param scale  share of their size that shapes are drawn at: below 1, so that bones can be seen between
-/// them and the
-///               mesh does not hide them
+/// @param scale  share of their size that shapes are drawn at: below 1, so that bones can be seen between them
+///               and the mesh does not hide them
 Glyphing glyphs_of(const Document& document, double scale);
 
 /// Where a ray enters a shape, as a distance along it; nothing where it misses.

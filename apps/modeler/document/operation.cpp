@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "document/snap.h"
 #include "sinew/skeleton/edit.h"
 #include "sinew/skeleton/graph.h"
 #include "sinew/skeleton/symmetry.h"
-#include "tools/snap.h"
 
 namespace sinew::modeler {
 namespace {
@@ -14,15 +14,6 @@ using Values = std::span<const double>;
 using Kind = Parameter::Kind;
 
 const double longest = 1e9;
-
-std::vector<std::int32_t> leaves_of(const Document& document) {
-    const auto count = static_cast<std::int32_t>(document.nodes.size());
-    const Adjacency around = adjacency(count, bones_of(document));
-    std::vector<std::int32_t> leaves;
-    for (std::int32_t i = 0; i < count; ++i)
-        if (around.degree(i) == 1) leaves.push_back(i);
-    return leaves;
-}
 
 double mean_radius(const Document& document, const std::vector<std::int32_t>& nodes) {
     double sum = 0;

@@ -11,6 +11,7 @@
 #include "sinew/mesh/quad_mesh.h"
 #include "sinew/render/mesh_buffers.h"
 #include "sinew/skeleton/document.h"
+#include "sinew/smooth/smooth_skin.h"
 
 namespace sinew::modeler {
 
@@ -45,15 +46,12 @@ struct LiveMesh {
 /// positions.
 class Pipeline {
   public:
-    Pipeline();
-    ~Pipeline();
     /// Buffers are left out where `with_buffers` is false (export).
     LiveMesh run(const Document& document, const MeshOptions& options, const Progress& progress = {},
                  bool with_buffers = true);
 
   private:
-    struct Memory;
-    std::unique_ptr<Memory> memory_;
+    SmoothSkinner skinner_;
 };
 
 /// Fills in validation and measures.

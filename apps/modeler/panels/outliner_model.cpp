@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "document/edits.h"
-#include "window/icons.h"
+#include "look/icons.h"
 
 namespace sinew::modeler {
 namespace {

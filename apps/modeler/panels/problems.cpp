@@ -3,8 +3,8 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "look/theme.h"
 #include "sinew/skeleton/validate.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

@@ -4,10 +4,10 @@
 #include <QLabel>
 #include <QLineEdit>
 
+#include "look/icons.h"
+#include "look/theme.h"
 #include "panels/number_box.h"
 #include "panels/outliner_model.h"
-#include "window/icons.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <QLocale>
 
+#include "look/theme.h"
 #include "sinew/skeleton/graph.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

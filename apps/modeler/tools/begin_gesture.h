@@ -7,8 +7,8 @@
 
 #include "document/model.h"
 #include "document/pick.h"
+#include "document/snap.h"
 #include "tools/gesture.h"
-#include "tools/snap.h"
 
 namespace sinew::modeler {
 

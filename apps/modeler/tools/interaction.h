@@ -1,8 +1,11 @@
 /// @file interaction.h
 /// From pointer events to gestures: which one a press, a drag or a key begins, and when it ends.
 ///
-/// idle --press--> pressed --drag far enough--> dragging --release--> idle       (a click, where it was not
-/// far) idle --key----> following (no button held) --click--> idle
+/// @verbatim
+/// idle --press--> pressed --drag far enough--> dragging --release--> idle
+///                 pressed --release: a click-----------------------> idle
+/// idle --key----> following (no button held) --click---------------> idle
+/// @endverbatim
 #pragma once
 
 #include <memory>

@@ -4,8 +4,8 @@
 
 #include "document/edits.h"
 #include "document/model.h"
+#include "document/snap.h"
 #include "tools/gesture.h"
-#include "tools/snap.h"
 
 namespace sinew::modeler {
 

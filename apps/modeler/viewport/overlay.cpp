@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "document/images.h"
-#include "window/theme.h"
+#include "look/theme.h"
 
 namespace sinew::modeler {
 namespace {

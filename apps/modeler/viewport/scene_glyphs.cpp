@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "document/images.h"
+#include "document/snap.h"
 #include "sinew/skeleton/graph.h"
-#include "tools/snap.h"
 
 namespace sinew::modeler {
 namespace {

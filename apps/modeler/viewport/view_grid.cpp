@@ -3,8 +3,8 @@
 #include <QPainter>
 #include <cmath>
 
-#include "tools/snap.h"
-#include "window/theme.h"
+#include "document/snap.h"
+#include "look/theme.h"
 
 namespace sinew::modeler {
 namespace {

@@ -7,10 +7,10 @@
 #include <QPainter>
 #include <cmath>
 
+#include "look/theme.h"
 #include "viewport/overlay.h"
 #include "viewport/scene_view.h"
 #include "viewport/view_grid.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

@@ -6,7 +6,7 @@
 #include <QMenuBar>
 #include <QToolBar>
 
-#include "window/icons.h"
+#include "look/icons.h"
 
 namespace sinew::modeler {
 namespace {

@@ -5,8 +5,8 @@
 #include <QLabel>
 
 #include "document/delta.h"
+#include "look/theme.h"
 #include "panels/number_box.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

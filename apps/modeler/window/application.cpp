@@ -10,8 +10,8 @@
 
 #include "actions/action.h"
 #include "actions/mouse.h"
+#include "look/theme.h"
 #include "window/main_window.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

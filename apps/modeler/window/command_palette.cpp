@@ -9,9 +9,9 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
+#include "look/icons.h"
+#include "look/theme.h"
 #include "window/action_set.h"
-#include "window/icons.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

@@ -7,7 +7,7 @@
 #include <QMessageBox>
 #include <QSpinBox>
 
-#include "window/icons.h"
+#include "look/icons.h"
 
 namespace sinew::modeler {
 

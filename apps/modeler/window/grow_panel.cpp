@@ -16,10 +16,10 @@
 #include <random>
 
 #include "files/load.h"
+#include "look/icons.h"
+#include "look/theme.h"
 #include "panels/number_box.h"
 #include "sinew/io/files.h"
-#include "window/icons.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

@@ -13,6 +13,7 @@
 #include <QUndoView>
 
 #include "document/edits.h"
+#include "look/icons.h"
 #include "panels/outliner.h"
 #include "panels/problems.h"
 #include "panels/properties.h"
@@ -20,7 +21,6 @@
 #include "viewport/viewport.h"
 #include "window/action_set.h"
 #include "window/command_palette.h"
-#include "window/icons.h"
 #include "window/settings.h"
 #include "window/status_line.h"
 #include "window/view_bar.h"

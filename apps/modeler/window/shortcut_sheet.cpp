@@ -9,8 +9,8 @@
 
 #include "actions/action.h"
 #include "actions/mouse.h"
+#include "look/theme.h"
 #include "window/action_set.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

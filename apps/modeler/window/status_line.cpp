@@ -7,9 +7,9 @@
 #include <QToolButton>
 
 #include "document/images.h"
+#include "look/theme.h"
 #include "window/action_set.h"
 #include "window/mesh_keeper.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "window/icons.h"
-#include "window/theme.h"
+#include "look/icons.h"
+#include "look/theme.h"
 
 namespace sinew::modeler {
 namespace {

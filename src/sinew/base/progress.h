@@ -25,6 +25,15 @@ class Progress {
     void operator()(double share, std::string_view stage) const {
         if (report_) report_(share, stage);
     }
+    /// Progress of a part of the work: its 0 to 1 is `begin` to `end` of this one.
+    Progress part(double begin, double end) const {
+        if (!report_) return *this;
+        return Progress(
+            [report = report_, begin, end](double share, std::string_view stage) {
+                report(begin + share * (end - begin), stage);
+            },
+            cancel_);
+    }
     bool cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
 
     /// What a function returns once it finds cancelled() true.

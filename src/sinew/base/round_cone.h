@@ -54,18 +54,18 @@ struct ConeFrom {
         return square + length * (length - 2 * along) <= far * far;
     }
 
-    /// Signed distance of a point, seen from the near centre, to the surface: negative inside.
+    /// Signed distance of a point, seen from the near centre: negative inside.
     double distance(const Vec3& point) const {
-        const double along = point.dot(axis), to_near = point.norm();
-        if (!nested_) {
-            const double across = std::sqrt(std::max(0.0, to_near * to_near - along * along));
-            const double rise = along * cosine - across * sine;
-            if (rise <= 0) return to_near - near;
-            if (rise < length * cosine) return across * cosine + along * sine - near;
-        }
-        const double to_far =
-            std::sqrt(std::max(0.0, to_near * to_near + length * (length - 2 * along))) - far;
-        return nested_ ? std::min(to_near - near, to_far) : to_far;
+        // In the plane of the axis and the point: which of the two balls, or the slanted side between them, is
+        // nearest?
+        const double along = point.dot(axis), across = (point - along * axis).norm();
+        const double beyond = along - length;
+        const double to_near = std::sqrt(along * along + across * across) - near;
+        const double to_far = std::sqrt(beyond * beyond + across * across) - far;
+        if (nested_) return std::min(to_near, to_far);
+        const double rise = along * cosine - across * sine;
+        if (rise <= 0) return to_near;
+        return rise >= length * cosine ? to_far : across * cosine + along * sine - near;
     }
 
     /// Heights above the near centre at which the straight side begins and ends.

@@ -14,56 +14,25 @@ namespace {
 using Index = std::uint32_t;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A round cone with what every point asks of it: the slanted side's normal is (cosine) across, (sine) along
-/// the axis.
 struct BoneCone {
     Vec3 from;
-    Vec3 axis;  ///< unit; zero where the ends are one point
-    double length, from_radius, to_radius;
-    double sine, cosine, side_length;
-    bool nested;  ///< one ball holds the other: there is no slanted side
+    ConeFrom shape;
 };
-
-BoneCone make_cone(const RoundCones& cones, std::size_t i) {
-    const Vec3 along = cones.to[i] - cones.from[i];
-    BoneCone c{cones.from[i], Vec3::Zero(), along.norm(), cones.from_radius[i], cones.to_radius[i], 0, 1, 0,
-               true};
-    const double step = c.from_radius - c.to_radius;
-    const double side_squared = along.squaredNorm() - step * step;
-    c.nested = !(side_squared > 1e-12 * along.squaredNorm());
-    if (c.length > 0) c.axis = along / c.length;
-    if (c.nested) return c;
-    c.side_length = std::sqrt(side_squared);
-    c.sine = step / c.length;
-    c.cosine = c.side_length / c.length;
-    return c;
-}
 
 struct Near {
     double distance = infinity;
-    double along = 0;  ///< of the foot on the axis, in units of length
+    double along = 0;  ///< of the foot on the axis, from the near end
     Index cone = 0;
 };
 
-/// In the plane of the axis and the point: which of the two balls, or the slanted side between them, is
-/// nearest?
-Near distance_to(const BoneCone& c, const Vec3& point, Index index) {
-    const Vec3 from = point - c.from;
-    const double along = from.dot(c.axis);
-    const double across = (from - along * c.axis).norm();
-    const double first = std::sqrt(along * along + across * across) - c.from_radius;
-    const double beyond = along - c.length;
-    const double second = std::sqrt(beyond * beyond + across * across) - c.to_radius;
-    if (c.nested) return {std::min(first, second), along, index};
-    const double on_side = along * c.cosine - across * c.sine;
-    if (on_side <= 0) return {first, along, index};
-    if (on_side >= c.side_length) return {second, along, index};
-    return {across * c.cosine + along * c.sine - c.from_radius, along, index};
+Near distance_to(const BoneCone& cone, const Vec3& point, Index index) {
+    const Vec3 seen = point - cone.from;
+    return {cone.shape.distance(seen), seen.dot(cone.shape.axis), index};
 }
 
 /// A box in floats that holds the axis.
 Box axis_box(const BoneCone& c) {
-    const Vec3 to = c.from + c.length * c.axis;
+    const Vec3 to = c.from + c.shape.length * c.shape.axis;
     Box box;
     for (const Vec3& end : {c.from, to})
         for (int k = 0; k < 3; ++k) {
@@ -82,11 +51,11 @@ class ConeTree {
   public:
     explicit ConeTree(const RoundCones& cones) {
         std::vector<Box> boxes(cones.size());
-        for (std::size_t i = 0; i < cones.size(); ++i) boxes[i] = axis_box(make_cone(cones, i));
+        for (std::size_t i = 0; i < cones.size(); ++i) boxes[i] = axis_box({cones.from[i], cones.cones[i]});
         tree_ = build_box_tree(boxes);
-        for (const Index i : tree_.items) cones_.push_back(make_cone(cones, i));
+        for (const Index i : tree_.items) cones_.push_back({cones.from[i], cones.cones[i]});
         radii_.resize(tree_.levels.size());
-        for (const BoneCone& c : cones_) radii_[0].push_back(std::max(c.from_radius, c.to_radius));
+        for (const BoneCone& c : cones_) radii_[0].push_back(std::max(c.shape.near, c.shape.far));
         for (std::size_t level = 1; level < radii_.size(); ++level)
             for (std::size_t i = 0; i < tree_.levels[level].size(); ++i)
                 radii_[level].push_back(
@@ -104,9 +73,9 @@ class ConeTree {
         return best;
     }
     double radius_at(const Near& near) const {
-        const BoneCone& c = cones_[near.cone];
+        const ConeFrom& c = cones_[near.cone].shape;
         const double share = c.length > 0 ? std::clamp(near.along / c.length, 0.0, 1.0) : 0;
-        return std::max(c.from_radius + share * (c.to_radius - c.from_radius), 1e-3 * largest_radius());
+        return std::max(c.near + share * (c.far - c.near), 1e-3 * largest_radius());
     }
 
   private:

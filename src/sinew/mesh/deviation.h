@@ -2,24 +2,21 @@
 /// How far a mesh lies from its ideal surface: the union of round cones.
 #pragma once
 
+#include "sinew/base/round_cone.h"
 #include "sinew/mesh/quad_mesh.h"
 
 namespace sinew {
 
-/// A round cone is the hull of two balls (centres and radii, in any order); a ball alone has the same end
-/// twice. Flat arrays of one length.
+/// Where round cones are. Arrays of one length.
 struct RoundCones {
-    std::vector<Vec3> from;
-    std::vector<Vec3> to;
-    std::vector<double> from_radius;
-    std::vector<double> to_radius;
+    std::vector<Vec3> from;       ///< the centre at the near end of each
+    std::vector<ConeFrom> cones;  ///< as seen from there
 
     std::size_t size() const { return from.size(); }
+    /// The hull of two balls (centres and radii, in any order); a ball alone has the same end twice.
     void add(const Vec3& a, double a_radius, const Vec3& b, double b_radius) {
         from.push_back(a);
-        to.push_back(b);
-        from_radius.push_back(a_radius);
-        to_radius.push_back(b_radius);
+        cones.emplace_back(a, a_radius, b, b_radius);
     }
 };
 

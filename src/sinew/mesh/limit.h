@@ -5,12 +5,10 @@
 /// It is the limit of sinew::subdivide (src/sinew/subdivide), exactly, rounding apart:
 ///  - smooth inner vertices of any valence, among faces of any number of corners: Catmull-Clark;
 ///  - creases, semi-sharp ones included, darts, corners and boundaries: DeRose's rules (sharpness.h);
-///  - poles: the polar rule (fans.h): (2 pole + mean of ring) / 3; their ring: the rule's own points in place
-///  of the pole;
-///    fixed poles (tips of cones, middles of flat discs) stay;
+///  - poles: the polar rule (fans.h), (2 pole + mean of ring) / 3; their ring: the rule's own points in place
+///    of the pole; fixed poles (tips of cones, middles of flat discs) stay;
 ///  - vertices on circles, and on cones and discs that end in a circle, stay; their neighbours see the
-///  circle's control
-///    points (rounds.h);
+///    circle's control points (rounds.h);
 ///  - vertices on the rims of planes: the limit, put back into the plane (flats.h).
 #pragma once
 

@@ -11,10 +11,9 @@ void add_corner_normals(const QuadMesh& mesh, Face face, std::vector<Vec3>& sums
     const std::size_t n = face.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 at = mesh.positions[face[i]].cast<double>();
-        const Vec3 to = mesh.positions[face[i + 1 == n ? 0 : i + 1]].cast<double>() - at;
-        const Vec3 from = mesh.positions[face[i == 0 ? n - 1 : i - 1]].cast<double>() - at;
-        const double lengths = to.squaredNorm() * from.squaredNorm();
-        if (lengths > 0) sums[face[i]] += to.cross(from) / lengths;
+        const Vec3 next = mesh.positions[face[i + 1 == n ? 0 : i + 1]].cast<double>() - at;
+        const Vec3 previous = mesh.positions[face[i == 0 ? n - 1 : i - 1]].cast<double>() - at;
+        sums[face[i]] += corner_normal(next, previous);
     }
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "sinew/mesh/normals.h"
+
 namespace sinew {
 namespace {
 
@@ -27,16 +29,11 @@ Vec3f area_vector(const QuadMesh& mesh, std::span<const std::uint32_t> face) {
     return sum;
 }
 
-Vec3f share_of(const Vec3f& before, const Vec3f& here, const Vec3f& after) {
-    const Vec3f a = after - here, b = before - here;
-    const float weight = a.squaredNorm() * b.squaredNorm();
-    return weight > 0 ? Vec3f(a.cross(b) / weight) : Vec3f::Zero();
-}
-
 /// What corner i of a face adds to the normal of its vertex.
 Vec3f share_of(const QuadMesh& mesh, std::span<const std::uint32_t> face, std::size_t i) {
     const std::size_t before = i == 0 ? face.size() - 1 : i - 1, after = i + 1 == face.size() ? 0 : i + 1;
-    return share_of(mesh.positions[face[before]], mesh.positions[face[i]], mesh.positions[face[after]]);
+    const Vec3f& here = mesh.positions[face[i]];
+    return corner_normal<Vec3f>(mesh.positions[face[after]] - here, mesh.positions[face[before]] - here);
 }
 
 using EdgeKey = std::uint64_t;
@@ -129,8 +126,7 @@ void shares_of_quad(const QuadMesh& mesh, const std::uint32_t* face, Vec3f* shar
     }
     for (int i = 0; i < 4; ++i) {
         const int before = (i + 3) % 4;
-        const float weight = square[i] * square[before];
-        shares[i] = weight > 0 ? Vec3f(side[before].cross(side[i]) / weight) : Vec3f::Zero();
+        shares[i] = corner_normal<Vec3f>(side[i], -side[before], square[i] * square[before]);
     }
 }
 

@@ -23,9 +23,8 @@ struct Normals {
     std::vector<SplitNormal> splits;  ///< in ascending order; these corners do not take their vertex's normal
 };
 
-/// A vertex's normal is the mean over the faces round it, weighted as in N. Max, "Weights for computing
-/// vertex normals from facet normals" (1999), which is exact on spheres. Creases of sharpness 1 and above
-/// part the faces. Linear time.
+/// A vertex's normal is that of mesh/normals.h, in single precision, which is enough to light by. Creases of
+/// sharpness 1 and above part the faces. Linear time.
 Normals normals_of(const QuadMesh& mesh);
 
 }  // namespace sinew

@@ -18,8 +18,13 @@
 
 namespace sinew {
 
-/// What a node makes of the surface around it. cone, hemisphere and negative are for leaves.
+/// What a node makes of the surface around it.
 enum class NodeType : std::uint8_t { sphere, cone, hemisphere, cube, negative, ball };
+
+/// Only leaves may be of these types.
+constexpr bool is_tip(NodeType type) {
+    return type == NodeType::cone || type == NodeType::hemisphere || type == NodeType::negative;
+}
 
 /// The outline across a bone.
 enum class Section : std::uint8_t { round, rectangular };

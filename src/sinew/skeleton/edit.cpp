@@ -192,11 +192,7 @@ Result<Document> merge_nodes(const Document& document, std::span<const std::arra
 }
 
 std::vector<std::array<std::int32_t, 2>> close_leaves(const Document& document, double distance) {
-    const std::vector<Bone> bones = bones_of(document);
-    const Adjacency around = adjacency(node_count(document), bones);
-    std::vector<std::int32_t> leaves;
-    for (std::int32_t i = 0; i < node_count(document); ++i)
-        if (around.degree(i) == 1) leaves.push_back(i);
+    std::vector<std::int32_t> leaves = leaves_of(document);
     const auto x = [&](std::int32_t i) { return document.nodes[i].position.x(); };
     std::ranges::stable_sort(leaves, {}, x);
 

@@ -27,6 +27,18 @@ Adjacency adjacency(std::int32_t node_count, std::span<const Bone> bones) {
     return result;
 }
 
+Adjacency adjacency(const Document& document) {
+    return adjacency(static_cast<std::int32_t>(document.nodes.size()), bones_of(document));
+}
+
+std::vector<std::int32_t> leaves_of(const Document& document) {
+    const Adjacency around = adjacency(document);
+    std::vector<std::int32_t> leaves;
+    for (std::int32_t i = 0; i < std::ssize(document.nodes); ++i)
+        if (around.degree(i) == 1) leaves.push_back(i);
+    return leaves;
+}
+
 GraphCounts count_graph(std::int32_t node_count, std::span<const Bone> bones) {
     std::vector<std::int32_t> parent(node_count);
     std::iota(parent.begin(), parent.end(), 0);

@@ -27,6 +27,11 @@ struct Adjacency {
     std::int32_t degree(std::int32_t node) const { return first[node + 1] - first[node]; }
 };
 Adjacency adjacency(std::int32_t node_count, std::span<const Bone> bones);
+/// That of bones_of.
+Adjacency adjacency(const Document& document);
+
+/// Nodes with one bone, ascending.
+std::vector<std::int32_t> leaves_of(const Document& document);
 
 /// Number of connected components and of independent cycles (bones - nodes + components).
 struct GraphCounts {

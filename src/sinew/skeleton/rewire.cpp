@@ -100,8 +100,7 @@ void round_off_inner_tips(Document& document) {
     const Adjacency around = adjacency(static_cast<std::int32_t>(document.nodes.size()), bones);
     for (std::int32_t i = 0; i < std::ssize(document.nodes); ++i) {
         NodeType& type = document.nodes[i].type;
-        const bool tip = type == NodeType::cone || type == NodeType::hemisphere || type == NodeType::negative;
-        if (tip && around.degree(i) != 1) type = NodeType::sphere;
+        if (is_tip(type) && around.degree(i) != 1) type = NodeType::sphere;
     }
     for (const auto& [a, b] : bones)  // a pit needs a surface
         if (document.nodes[a].type == NodeType::negative && document.nodes[b].type == NodeType::negative)

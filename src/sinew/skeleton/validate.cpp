@@ -106,6 +106,14 @@ void check_numbers(const Document& document, std::int32_t i, Finder& finder) {
                        "say \"smooth\", \"sharp\" or a number from 0 to 10");
 }
 
+/// Who writes an id where an index belongs is told the index.
+std::string cure_of_parent(const Document& document, std::int32_t parent) {
+    const auto same_id = [&](const Node& node) { return node.id == parent; };
+    const auto meant = std::ranges::find_if(document.nodes, same_id);
+    if (meant == document.nodes.end()) return "name an existing node, or -1 for a root";
+    return fmt::format("the node with the id {} is at index {}", parent, meant - document.nodes.begin());
+}
+
 void check_place(const Document& document, const Neighbours& around, std::int32_t i, Finder& finder) {
     const Node& node = document.nodes[i];
     if (node.id < 0)
@@ -113,11 +121,14 @@ void check_place(const Document& document, const Neighbours& around, std::int32_
     if (node.parent == i)
         finder.at_node(i, "parent", "the node is its own parent", "leave the parent out for a root");
     else if (node.parent != -1 && !exists(document, node.parent))
-        finder.at_node(i, "parent", "the parent does not exist", "name an existing node, or none for a root");
+        finder.at_node(
+            i, "parent",
+            fmt::format("there is no parent {} for the node at index {}: a parent is an index into the "
+                        "nodes, and there are {}",
+                        node.parent, i, document.nodes.size()),
+            cure_of_parent(document, node.parent));
 
-    const bool for_leaves =
-        node.type == NodeType::cone || node.type == NodeType::hemisphere || node.type == NodeType::negative;
-    if (for_leaves && around.degree[i] != 1)
+    if (is_tip(node.type) && around.degree[i] != 1)
         finder.at_node(
             i, "type",
             fmt::format("a {} must be a leaf, and this node has {} bones", word(node.type), around.degree[i]),
@@ -160,7 +171,12 @@ void check_links(const Document& document, Finder& finder) {
         auto [a, b] = document.links[k];
         const auto path = [&] { return fmt::format("/links/{}", k); };
         if (!exists(document, a) || !exists(document, b)) {
-            finder.add(path(), {}, "the link names a node that does not exist", "name two existing nodes");
+            finder.add(
+                path(), {},
+                fmt::format("the link of {} and {} names a node that does not exist: its ends are indices "
+                            "into the nodes, and there are {}",
+                            a, b, document.nodes.size()),
+                "name two existing nodes");
         } else if (a == b) {
             finder.add(path(), id_of(document, a), "the link joins the node to itself", "name two nodes");
         } else if (document.nodes[a].parent == b || document.nodes[b].parent == a) {

@@ -204,6 +204,13 @@ void write_smooth(const Finest& finest, std::span<const Vec3f> control, const No
     });
 }
 
+/// Positions as the surface beside the circles sees them.
+std::vector<Vec3f> with_circle_controls(const Finest& finest, std::span<const Vec3f> control) {
+    std::vector<Vec3f> seen(control.begin(), control.end());
+    show_circle_controls(finest.rules.rounds, finest.features, seen);
+    return seen;
+}
+
 /// Every triangle of a fan has its own normal at a fixed pole.
 void write_poles(const Finest& finest, std::span<const Vec3f> control, const QuadMesh& mesh,
                  std::vector<Vec3f>& normals) {
@@ -250,21 +257,23 @@ void write_cone(const Cone& cone, const Circle& circle, std::span<const Vec3f> c
 
 }  // namespace
 
-std::vector<Vec3f> find_limit_normals(const Finest& finest, std::span<Vec3f> control, const QuadMesh& mesh) {
+std::vector<Vec3f> find_limit_normals(const Finest& finest, std::span<const Vec3f> control,
+                                      const QuadMesh& mesh) {
     const auto& [sharpness, fans, rounds, flats] = finest.rules;
     std::vector<Vec3f> normals(mesh.corners.size(), Vec3f::Zero());
     const NormalWriter writer(finest, mesh, normals);
-    const std::vector<Vec3f> on_circles = show_circle_controls(rounds, finest.features, control);
-    write_smooth(finest, control, writer);
-    const FinestRings rings(finest, control);
+    const std::vector<Vec3f> copy =
+        rounds.vertices.empty() ? std::vector<Vec3f>() : with_circle_controls(finest, control);
+    const std::span<const Vec3f> seen = copy.empty() ? control : copy;
+    write_smooth(finest, seen, writer);
+    const FinestRings rings(finest, seen);
     for (const Index vertex : rings.round_poles()) {
         const RuledRing ring = rings.ring(vertex);
         writer.write_all(ring, vertex, smooth_normal(ring.points));
     }
     for (std::size_t i = 0; i < sharpness.vertices.size(); ++i)
         writer.write_sides(rings.ring(sharpness.vertices[i]), sharpness.vertices[i], sharpness.corner[i]);
-    write_poles(finest, control, mesh, normals);
-    restore_circles(rounds, on_circles, control);
+    write_poles(finest, seen, mesh, normals);
     for (const Cone& cone : rounds.cones)
         write_cone(cone, finest.features.circles[cone.circle], control, mesh, normals);
     return normals;

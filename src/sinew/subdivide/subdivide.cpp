@@ -27,6 +27,7 @@ struct Subdivider::Tables {
 namespace {
 
 constexpr const char* stage = "subdivide";
+constexpr const char* half_known = "the mesh tells of some of its vertices only where they came from";
 
 /// Bytes a vertex of what a mesh knows of where its vertices came from.
 std::uint64_t origin_bytes(const QuadMesh& mesh) {
@@ -34,12 +35,25 @@ std::uint64_t origin_bytes(const QuadMesh& mesh) {
                 !mesh.vertex_along.empty());
 }
 
+/// Do the first vertices of the finer mesh, which are those of the control mesh, say that they came from the
+/// same places?
+bool begins_with_origins(const QuadMesh& finer, const QuadMesh& control) {
+    const auto begins = [](const auto& fine, const auto& coarse) {
+        return fine.empty() == coarse.empty() && std::equal(coarse.begin(), coarse.end(), fine.begin());
+    };
+    return begins(finer.vertex_node, control.vertex_node) && begins(finer.vertex_bone, control.vertex_bone) &&
+           begins(finer.vertex_along, control.vertex_along);
+}
+
+bool knows_origins_of_all_or_none(const QuadMesh& mesh) {
+    const auto fits = [&](std::size_t size) { return size == 0 || size == mesh.vertex_count(); };
+    return fits(mesh.vertex_node.size()) && fits(mesh.vertex_bone.size()) && fits(mesh.vertex_along.size());
+}
+
 Result<void> check_call(const QuadMesh& mesh, const SubdivideOptions& options) {
     if (options.levels < 0)
         return fail(ErrorKind::call, fmt::format("cannot subdivide {} times", options.levels));
-    const auto fits = [&](std::size_t size) { return size == 0 || size == mesh.vertex_count(); };
-    if (!fits(mesh.vertex_node.size()) || !fits(mesh.vertex_bone.size()) || !fits(mesh.vertex_along.size()))
-        return fail(ErrorKind::input, "the mesh tells of some of its vertices only where they came from");
+    if (!knows_origins_of_all_or_none(mesh)) return fail(ErrorKind::input, half_known);
     return check_control_mesh(mesh);
 }
 
@@ -174,6 +188,7 @@ Result<void> Subdivider::refine(const QuadMesh& control) {
         control.features.planes.size() != features.planes.size())
         return fail(ErrorKind::call, "the mesh has another number of circles or planes");
     if (control.vertex_count() != tables_->levels[0].vertices) return refine(control.positions);
+    if (!knows_origins_of_all_or_none(control)) return fail(ErrorKind::call, half_known);
     const auto move_circles = [&](std::vector<Circle>& circles) {
         for (std::size_t c = 0; c < circles.size(); ++c) {
             const Circle& moved = control.features.circles[c];
@@ -192,12 +207,20 @@ Result<void> Subdivider::refine(const QuadMesh& control) {
         move_circles(moved->circles);
         move_planes(moved->planes);
     }
+    if (!begins_with_origins(tables_->finest, control)) {
+        QuadMesh& finest = tables_->finest;
+        finest.vertex_node = control.vertex_node;
+        finest.vertex_bone = control.vertex_bone;
+        finest.vertex_along = control.vertex_along;
+        if (tables_->splits > 0) write_origins(tables_->levels, control, finest);
+    }
     return refine(control.positions);
 }
 
 std::vector<Vec3f> Subdivider::limit_normals() const {
-    Tables& t = *tables_;  // the positions are put back as they were
-    const std::span<Vec3f> control = t.limit ? std::span<Vec3f>(t.finest_control) : t.finest.positions;
+    const Tables& t = *tables_;  // read only: several threads may ask at once
+    const std::span<const Vec3f> control =
+        t.limit ? std::span(t.finest_control) : std::span(t.finest.positions);
     if (t.splits == 0 || t.limit)
         return find_limit_normals({t.levels, t.splits, t.rules.back(), t.features}, control, t.finest);
     const SurfaceRules rules = finer_rules(t.levels.back(), t.rules.back());

@@ -57,11 +57,13 @@ class Subdivider {
     /// allocated but for circles and poles. Fails (ErrorKind::call), leaving all as it was, for another
     /// number of vertices.
     Result<void> refine(std::span<const Vec3f> control);
-    /// The same, and moves circles and planes (their number must be the same) to where `control` has them.
+    /// The same, and moves circles and planes (their number must be the same) to where `control` has them,
+    /// and takes over where its vertices came from.
     Result<void> refine(const QuadMesh& control);
 
     /// Unit normals of the limit surface, outward, one for each corner of mesh(), so that creases stay sharp.
-    /// Where there is no tangent plane (the tip of a cone) each face has its own.
+    /// Where there is no tangent plane (the tip of a cone) each face has its own. Several threads may ask at
+    /// once, for this and for mesh().
     std::vector<Vec3f> limit_normals() const;
 
     /// Gives the mesh away and ends the use of this object.

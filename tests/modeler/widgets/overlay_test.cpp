@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "document/edits.h"
+#include "look/theme.h"
 #include "viewport/navigation.h"
-#include "window/theme.h"
 
 namespace sinew::modeler {
 namespace {

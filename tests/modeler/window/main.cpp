@@ -5,9 +5,9 @@
 #include <QApplication>
 #include <QSettings>
 
+#include "look/theme.h"
 #include "robot.h"
 #include "window/application.h"
-#include "window/theme.h"
 
 #ifdef SINEW_SANITIZED
 /// Drivers stay loaded, so that what they leak can be told by their names (tests/leaks.supp) from what we

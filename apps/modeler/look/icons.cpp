@@ -1,4 +1,4 @@
-#include "window/icons.h"
+#include "look/icons.h"
 
 #include <QFile>
 #include <QHash>
@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <QSvgRenderer>
 
-#include "window/theme.h"
+#include "look/theme.h"
 
 namespace sinew::modeler {
 namespace {
