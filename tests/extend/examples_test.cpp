@@ -170,8 +170,19 @@ TEST(TypeExamples, WidthAndHeightAreApart) {
 
 TEST(TypeExamples, FlatSidesRunFromNodeToNode) {
     const QuadMesh mesh = control("flat_sides");
-    for (const double x : {0.0, 1.0})
-        for (const double y : {-0.5, 0.5}) EXPECT_TRUE(x > 0 || has_vertex(mesh, {x, y, 0.2}));
+    for (const double y : {-0.5, 0.5}) EXPECT_TRUE(has_vertex(mesh, {0, y, 0.2}));
+    // From the first node to the second, where the beam bends up by atan 0.2: its corners are where the
+    // planes of its sides meet the bisector of the bend.
+    const double lean = std::tan(std::atan(0.2) / 2);
+    for (const double y : {-0.5, 0.5})
+        for (const double z : {-0.2, 0.2})
+            EXPECT_TRUE(has_vertex(mesh, {1 - lean * z, y, z})) << y << " " << z;
+    for (const Vec3f& p : mesh.positions) {
+        if (p.x() < 1e-6f || p.x() > 1 - lean * p.z() + 1e-6f) continue;
+        const bool on_side = std::abs(std::abs(p.y()) - 0.5f) < 1e-6f,
+                   on_top = std::abs(std::abs(p.z()) - 0.2f) < 1e-6f;
+        EXPECT_TRUE(on_side || on_top) << p.transpose();
+    }
 }
 
 }  // namespace

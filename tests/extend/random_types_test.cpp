@@ -56,10 +56,12 @@ class RandomDocument {
 TEST(RandomTypes, AreClosedWithTheRightEulerNumber) {
     const char* given = std::getenv("SINEW_PROPERTY_CASES");
     const unsigned cases = given ? static_cast<unsigned>(std::atoi(given)) / 5 : 3000;
+    unsigned seen = 0;
     for (unsigned seed = 0; seed < cases && !::testing::Test::HasFailure(); ++seed) {
         SCOPED_TRACE(seed);
         const Document document = RandomDocument(seed).make();
         if (!validate(document)) continue;  // a dent on a dent
+        ++seen;
         const Skin skin = solid(document, {.sides = seed % 7 == 0 ? 6 : 0});
         const auto is_pole = [&](std::uint32_t v) {
             return std::find(skin.mesh.features.poles.begin(), skin.mesh.features.poles.end(), v) !=
@@ -72,16 +74,20 @@ TEST(RandomTypes, AreClosedWithTheRightEulerNumber) {
         }
         EXPECT_LE(irregular(skin.mesh), skin.irregular);
     }
+    EXPECT_GE(seen, cases / 2);
 }
 
 TEST(RandomTypes, CanBeFittedAndSubdivided) {
+    unsigned seen = 0;
     for (unsigned seed = 0; seed < 100 && !::testing::Test::HasFailure(); ++seed) {
         SCOPED_TRACE(seed);
         const Document document = RandomDocument(seed).make();
         if (!validate(document)) continue;
+        ++seen;
         const Validation v = validate(smooth(document, 1));
         EXPECT_TRUE(v.closed() && v.manifold() && v.finite());
     }
+    EXPECT_GE(seen, 50u);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "io/temporary_folder.h"
 #include "sinew/io/byte_order.h"
 #include "sinew/io/files.h"
-#include "sinew/io/ngon_encoding.h"
 
 namespace sinew {
 namespace {
@@ -58,28 +57,6 @@ TEST(GltfWriter, BothKindsHoldTheSameJsonAndData) {
     const std::size_t size = binary["buffers"][0]["byteLength"], start = uri.find(',') + 1;
     EXPECT_EQ(glb.size(), 28 + json_size + size);
     EXPECT_EQ(uri.size() - start, (size + 2) / 3 * 4);
-}
-
-TEST(NgonEncoding, PolygonsComeBack) {
-    for (const QuadMesh& mesh :
-         {shapes::cube(), shapes::tube(5, 8), shapes::torus(9, 4), shapes::grid_cube(7)}) {
-        const std::vector<Triangle> triangles = encode_ngons(mesh);
-        QuadMesh decoded;
-        decoded.positions = mesh.positions;
-        decode_ngons(triangles, decoded);
-        ASSERT_EQ(decoded.face_offsets, mesh.face_offsets);
-        for (std::size_t f = 0; f < mesh.face_count(); ++f) {  // a face may start with another corner
-            std::vector<std::uint32_t> face(mesh.face(f).begin(), mesh.face(f).end());
-            std::rotate(face.begin(), std::find(face.begin(), face.end(), decoded.face(f)[0]), face.end());
-            EXPECT_TRUE(std::equal(face.begin(), face.end(), decoded.face(f).begin()));
-        }
-    }
-}
-
-TEST(NgonEncoding, TrianglesRoundAPoleStayApart) {
-    QuadMesh decoded;
-    decode_ngons(encode_ngons(shapes::octahedron()), decoded);
-    EXPECT_EQ(decoded.face_count(), 8u);
 }
 
 }  // namespace

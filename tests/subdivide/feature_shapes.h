@@ -2,7 +2,11 @@
 /// Control meshes as the engine hands them over, with circles, planes, creases and corners.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "mesh/shapes.h"
+#include "sinew/base/vec.h"
+#include "sinew/mesh/limit.h"
 
 namespace sinew::shapes {
 
@@ -90,6 +94,45 @@ inline QuadMesh box() {
             }
             mesh.features.planes.push_back(plane);
         }
+    return mesh;
+}
+
+/// Moves the control points until their limits are where `target` has them.
+template <class Target>
+inline void fit(QuadMesh& mesh, const Target& target) {
+    const auto stencils = build_limit_stencils(mesh);
+    ASSERT_TRUE(stencils);
+    std::vector<Vec3> targets, control;
+    for (const Vec3f& p : mesh.positions) control.push_back(p.cast<double>());
+    for (const Vec3f& p : mesh.positions) targets.push_back(target(p));
+    // Vertices that stay have no other limit than themselves.
+    std::vector<Vec3> limit(control.size());
+    limit_positions(*stencils, std::span<const Vec3>(control), limit);
+    for (std::size_t v = 0; v < limit.size(); ++v)
+        if (limit[v] == control[v]) targets[v] = control[v];
+    fit_to_limit(*stencils, targets, control);
+    for (std::size_t v = 0; v < control.size(); ++v) mesh.positions[v] = control[v].cast<float>();
+}
+
+/// A sphere of n meridians, or two halves of it with a tube of a length between them, with poles.
+inline QuadMesh capsule(int n, int straight) {
+    const int k = std::max(2, int(std::lround(n / 4.0)));
+    std::vector<Vec2> profile;  // radius, height
+    for (int i = -k + 1; i < k; ++i) {
+        const double a = i * std::numbers::pi / (2 * k);
+        if (i == 0)
+            for (int s = 0; s < straight; ++s) profile.emplace_back(1, s);
+        profile.emplace_back(std::cos(a), std::sin(a) + (i >= 0 ? straight : 0));
+    }
+    QuadMesh mesh = tube(profile.size(), std::size_t(n));
+    for (std::size_t i = 0; i < profile.size(); ++i)
+        for (std::size_t j = 0; j < std::size_t(n); ++j) {
+            Vec3f& p = mesh.positions[i * std::size_t(n) + j];
+            p.head<2>() *= float(profile[i].x());
+            p.z() = float(profile[i].y());
+        }
+    mesh.positions[mesh.features.poles[0]] = {0, 0, -1};
+    mesh.positions[mesh.features.poles[1]] = {0, 0, float(straight + 1)};
     return mesh;
 }
 

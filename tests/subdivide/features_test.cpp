@@ -18,45 +18,6 @@ QuadMesh refined(const QuadMesh& mesh, int levels) {
     return *finer;
 }
 
-/// Moves the control points until their limits are where `target` has them.
-template <class Target>
-void fit(QuadMesh& mesh, const Target& target) {
-    const auto stencils = build_limit_stencils(mesh);
-    ASSERT_TRUE(stencils);
-    std::vector<Vec3> targets, control;
-    for (const Vec3f& p : mesh.positions) control.push_back(p.cast<double>());
-    for (const Vec3f& p : mesh.positions) targets.push_back(target(p));
-    // Vertices that stay have no other limit than themselves.
-    std::vector<Vec3> limit(control.size());
-    limit_positions(*stencils, std::span<const Vec3>(control), limit);
-    for (std::size_t v = 0; v < limit.size(); ++v)
-        if (limit[v] == control[v]) targets[v] = control[v];
-    fit_to_limit(*stencils, targets, control);
-    for (std::size_t v = 0; v < control.size(); ++v) mesh.positions[v] = control[v].cast<float>();
-}
-
-/// A sphere of n meridians, or two halves of it with a tube of a length between them, with poles.
-QuadMesh capsule(int n, int straight) {
-    const int k = std::max(2, int(std::lround(n / 4.0)));
-    std::vector<Vec2> profile;  // radius, height
-    for (int i = -k + 1; i < k; ++i) {
-        const double a = i * std::numbers::pi / (2 * k);
-        if (i == 0)
-            for (int s = 0; s < straight; ++s) profile.emplace_back(1, s);
-        profile.emplace_back(std::cos(a), std::sin(a) + (i >= 0 ? straight : 0));
-    }
-    QuadMesh mesh = shapes::tube(profile.size(), std::size_t(n));
-    for (std::size_t i = 0; i < profile.size(); ++i)
-        for (std::size_t j = 0; j < std::size_t(n); ++j) {
-            Vec3f& p = mesh.positions[i * std::size_t(n) + j];
-            p.head<2>() *= float(profile[i].x());
-            p.z() = float(profile[i].y());
-        }
-    mesh.positions[mesh.features.poles[0]] = {0, 0, -1};
-    mesh.positions[mesh.features.poles[1]] = {0, 0, float(straight + 1)};
-    return mesh;
-}
-
 class Levels : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(OneToFive, Levels, testing::Range(1, 6));
 
@@ -159,7 +120,7 @@ TEST(Fit, KeepsTheRadiusOfTubesRimToRim) {
     // more comes to it, not even a waist beside the rims.
     for (int n = 4; n <= 16; ++n) {
         QuadMesh tube = shapes::flat_tube(5, std::size_t(n));
-        fit(tube, [&](const Vec3f& p) {
+        shapes::fit(tube, [&](const Vec3f& p) {
             return Vec3(p.x() * ring_fit_radius(n), p.y() * ring_fit_radius(n), p.z());
         });
         const QuadMesh mesh = *subdivide(tube, {.levels = 3, .limit = true});
@@ -173,8 +134,8 @@ TEST(Fit, KeepsTheRadiusOfTubesRimToRim) {
 TEST(Fit, KeepsTheRadiusOfRoundEndedTubesAndSpheres) {
     for (int n = 4; n <= 16; ++n)
         for (const int straight : {0, 4}) {
-            QuadMesh mesh = capsule(n, straight);
-            fit(mesh, [&](const Vec3f& p) { return p.cast<double>(); });
+            QuadMesh mesh = shapes::capsule(n, straight);
+            shapes::fit(mesh, [&](const Vec3f& p) { return p.cast<double>(); });
             const QuadMesh finer = *subdivide(mesh, {.levels = 3, .limit = true});
             double least = 2, most = 0;
             for (const Vec3f& p : finer.positions) {
@@ -231,6 +192,28 @@ TEST(Subdivide, CarriesWhereVerticesCameFrom) {
         EXPECT_LE(std::abs(mesh.vertex_node[v] - p.z() * 0.75f), 1.01f);
     }
     EXPECT_TRUE(refined(shapes::tube(m, n), 1).vertex_node.empty());
+}
+
+TEST(Subdivide, MixesNoParametersOfDifferentBones) {
+    // Rings 0 and 1 lie on bone 5, at its beginning and end, rings 2 and 3 on bone 6, which goes on from
+    // there.
+    const std::size_t m = 4, n = 6;
+    QuadMesh tube = shapes::tube(m, n);
+    for (std::size_t v = 0; v < tube.vertex_count(); ++v) {
+        const std::size_t ring = v < m * n ? v / n : v == m * n ? 0 : m - 1;
+        tube.vertex_bone.push_back(ring < 2 ? 5 : 6);
+        tube.vertex_along.push_back(ring % 2 == 0 ? 0 : 1);
+    }
+    const QuadMesh mesh = refined(tube, 1);
+    int between = 0;
+    for (std::size_t v = tube.vertex_count(); v < mesh.vertex_count(); ++v) {
+        const float z = mesh.positions[v].z();
+        if (std::abs(z - 2) > 0.3f) continue;  // half way from ring 1 to ring 2
+        EXPECT_EQ(mesh.vertex_along[v], mesh.vertex_bone[v] == 5 ? 1 : 0)
+            << "the end of 5 or the beginning of 6";
+        ++between;
+    }
+    EXPECT_EQ(between, 2 * n) << "a point for each edge and each face";
 }
 
 }  // namespace

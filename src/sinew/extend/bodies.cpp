@@ -13,7 +13,11 @@ namespace {
 constexpr int pit_sides = 8;  // round a dent: with fewer, the surface beside it is pulled out of shape
 constexpr double bare =
     0.643;  // cosine of 50 degrees: an axis with no bone nearer than that gets one of its own
-constexpr double beyond_rim = 1.05;  // of a dent's width: where its cell ends at the nearest
+constexpr double beyond_rim = 1.05;    // of a dent's width: where its cell ends at the nearest
+constexpr double widest_tube = 0.9;    // of a ball's radius
+constexpr double widest_dent = 0.9;    // of its parent's radius
+constexpr double deepest_dent = 0.85;  // of its parent's thickness
+constexpr double shallow_dent = 0.1;   // of its own radius
 
 /// The cell of a dent ends halfway to the next bone: if that were not beyond the dent's rim, the joint would
 /// fold over it. Turns a ray so far away from the dent, where it can.
@@ -73,15 +77,11 @@ double exit_of_node(const PlainBuilder& b, std::int32_t node, const Vec3& ray) {
 /// A dent as wide as what it is pressed into would leave nothing of it.
 bool narrow(double& half, double parent) {
     if (half < parent) return false;
-    half = 0.9 * parent;
+    half = widest_dent * parent;
     return true;
 }
 
 }  // namespace
-
-double exit_of_ellipsoid(const Form& form, const Vec3& ray) { return 1 / form.local(ray).norm(); }
-
-double exit_of_box(const Form& form, const Vec3& ray) { return 1 / form.local(ray).cwiseAbs().maxCoeff(); }
 
 void add_ball(PlainBuilder& b, std::int32_t node) {
     const auto& scale = b.drawn(node).scale;
@@ -94,7 +94,7 @@ void add_ball(PlainBuilder& b, std::int32_t node) {
         if (b.is_pit(neighbour)) continue;
         const Vec3 ray = b.direction(node, neighbour);
         const double reach = exit_of_ellipsoid(ball, ray),
-                     tube = std::min(b.radius(neighbour), 0.9 * ball.half.minCoeff());
+                     tube = std::min(b.radius(neighbour), widest_tube * ball.half.minCoeff());
         const double height = reach * std::sqrt(1 - (tube / reach) * (tube / reach));
         const double distance = (b.position(neighbour) - b.position(node)).norm();
         if (distance <= height * (1 + 1e-6)) continue;  // the other end is inside the ball
@@ -113,12 +113,12 @@ void add_pit(PlainBuilder& b, std::int32_t node) {
     double depth = (b.position(node) - b.position(parent)).norm() - surface;
     if (depth <= 0) {
         b.warn(node, "this negative leaf lies inside its parent; its dent is made shallow");
-        depth = 0.1 * b.radius(node);
+        depth = shallow_dent * b.radius(node);
     }
-    if (depth > 0.85 * room) {
+    if (depth > deepest_dent * room) {
         b.warn(node,
                "this negative leaf is deeper than its parent is thick; its dent ends before the far side");
-        depth = 0.85 * room;
+        depth = deepest_dent * room;
     }
     Form opening = section_form(b, node);
     const auto wide = [&](const Vec3& axis) {

@@ -19,7 +19,10 @@ struct Face {
     double half_x, half_y;
 };
 
+/// Faces by number: those along x, -x, y, -y, z and -z of the box. The path through a cube that is no joint
+/// runs along z.
 constexpr int face_count = 6;
+constexpr int face_ahead = 4, face_behind = 5;
 Face face_of(const Form& box, const Vec3& centre, int index);
 
 /// The face through which a way from the middle leaves a box: its index.

@@ -21,7 +21,6 @@ PlainBuilder::PlainBuilder(const Document& document, const CleanGraph& graph, Wa
       attached_(graph.bones),
       attached_kind_(graph.bones.size(), BoneKind::tube) {
     part_coincident();
-    plain_.position.reserve(position_.size());
     plain_.position = position_;
     plain_.radius = graph.radius;
     plain_.source_node = graph.source_node;
@@ -84,19 +83,11 @@ Frame PlainBuilder::frame(std::int32_t i) const {
 }
 
 std::int32_t PlainBuilder::add_node(const Vec3& position, double radius, std::int32_t of) {
-    plain_.position.push_back(position);
-    plain_.radius.push_back(radius);
-    plain_.cap.push_back(Cap::round);
-    plain_.form_of.push_back(-1);
-    plain_.pit_depth.push_back(0);
-    plain_.source_node.push_back(graph_.source_node[of]);
-    return plain_.node_count() - 1;
+    return plain_.add_node(position, radius, graph_.source_node[of]);
 }
 
-void PlainBuilder::add_bone(std::int32_t a, std::int32_t b, BoneKind kind, std::int32_t graph_bone) {
-    plain_.bones.push_back({a, b});
-    plain_.bone_kind.push_back(kind);
-    plain_.source_bone.push_back(graph_bone < 0 ? -1 : graph_.source_bone[graph_bone]);
+void PlainBuilder::add_bone(std::int32_t a, std::int32_t b, BoneKind kind) {
+    plain_.add_bone(a, b, kind, -1);
 }
 
 void PlainBuilder::set_form(std::int32_t node, const Form& form) {

@@ -44,7 +44,7 @@ class PlainBuilder {
 
     // The plain skeleton.
     std::int32_t add_node(const Vec3& position, double radius, std::int32_t of);
-    void add_bone(std::int32_t a, std::int32_t b, BoneKind kind, std::int32_t graph_bone = -1);
+    void add_bone(std::int32_t a, std::int32_t b, BoneKind kind);  ///< one that nobody drew
     void set_form(std::int32_t node, const Form& form);
     const Form* form(std::int32_t node) const { return plain_.form(node); }
     void set_cap(std::int32_t node, Cap cap) { plain_.cap[node] = cap; }

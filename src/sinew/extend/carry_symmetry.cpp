@@ -48,7 +48,7 @@ Automorphism carry_symmetry(const Plain& s, const Mat3& generator, std::int32_t 
         taken[j] = 1;
         result.image.push_back(j);
     }
-    return bones_follow(s, result.image) ? result : Automorphism{};
+    return bones_follow(s.bones, result.image) ? result : Automorphism{};
 }
 
 }  // namespace sinew

@@ -15,6 +15,7 @@ constexpr double plate_gap =
     1e-7;  // of the face: how far a tube's end stands before the face, so that bones have a length
 constexpr double widest_beam = 0.98;  // of a face's smaller half extent
 constexpr double widest_tube = 0.9;   // the same for round tubes, which bulge between their vertices
+constexpr double fork_height = 1.2;   // of a tube's radius
 
 /// Whether the beam to a neighbour is as large as the face that it leaves through, so that there is no
 /// shoulder.
@@ -155,7 +156,7 @@ std::int32_t add_fork(PlainBuilder& b, std::int32_t node, const Face& face) {
     const std::int32_t plate = b.add_node(face.middle + plate_gap * radius * face.frame.z, radius, node);
     b.set_form(plate, form);
     b.add_bone(node, plate, BoneKind::body);
-    const std::int32_t fork = b.add_node(face.middle + 1.2 * radius * face.frame.z, radius, node);
+    const std::int32_t fork = b.add_node(face.middle + fork_height * radius * face.frame.z, radius, node);
     b.add_bone(plate, fork, BoneKind::tube);
     return fork;
 }

@@ -14,17 +14,11 @@ void part_double_cones(PlainBuilder& builder, Plain& plain) {
     for (std::int32_t b = 0; b < static_cast<std::int32_t>(plain.bones.size()); ++b) {
         const auto [from, to] = plain.bones[b];
         if (plain.cap[from] != Cap::point || plain.cap[to] != Cap::point) continue;
-        const std::int32_t middle = plain.node_count();
-        plain.position.push_back(0.5 * (plain.position[from] + plain.position[to]));
-        plain.radius.push_back(0.5 * (builder.radius(from) + builder.radius(to)));
-        plain.cap.push_back(Cap::round);
-        plain.form_of.push_back(-1);
-        plain.pit_depth.push_back(0);
-        plain.source_node.push_back(plain.source_node[from]);
+        const std::int32_t middle =
+            plain.add_node(0.5 * (plain.position[from] + plain.position[to]),
+                           0.5 * (builder.radius(from) + builder.radius(to)), plain.source_node[from]);
         plain.bones[b][1] = middle;
-        plain.bones.push_back({middle, to});
-        plain.bone_kind.push_back(BoneKind::tube);
-        plain.source_bone.push_back(plain.source_bone[b]);
+        plain.add_bone(middle, to, BoneKind::tube, plain.source_bone[b]);
     }
 }
 

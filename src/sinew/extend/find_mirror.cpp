@@ -23,7 +23,7 @@ class MirrorSearch {
             if (j < 0 || !forms_match(i, j)) return {};
             image.push_back(j);
         }
-        return bones_follow(s_, image) ? image : std::vector<std::int32_t>{};
+        return bones_follow(s_.bones, image) ? image : std::vector<std::int32_t>{};
     }
 
   private:

@@ -1,29 +1,21 @@
 #include "sinew/extend/plain.h"
 
-#include <algorithm>
-
 namespace sinew {
-namespace {
 
-std::vector<Bone> sorted(std::vector<Bone> bones) {
-    for (Bone& b : bones)
-        if (b[0] > b[1]) std::swap(b[0], b[1]);
-    std::sort(bones.begin(), bones.end());
-    return bones;
+std::int32_t Plain::add_node(const Vec3& at, double ball, std::int32_t source) {
+    position.push_back(at);
+    radius.push_back(ball);
+    cap.push_back(Cap::round);
+    form_of.push_back(-1);
+    pit_depth.push_back(0);
+    source_node.push_back(source);
+    return node_count() - 1;
 }
 
-}  // namespace
-
-Vec3 stretched(const Form& form, const Vec3& direction, const Vec3& by) {
-    return (direction.dot(form.x) * by.x() * form.x + direction.dot(form.y) * by.y() * form.y +
-            direction.dot(form.z) * by.z() * form.z)
-        .normalized();
-}
-
-bool bones_follow(const Plain& skeleton, const std::vector<std::int32_t>& image) {
-    std::vector<Bone> images;
-    for (const Bone& b : skeleton.bones) images.push_back({image[b[0]], image[b[1]]});
-    return sorted(skeleton.bones) == sorted(std::move(images));
+void Plain::add_bone(std::int32_t a, std::int32_t b, BoneKind kind, std::int32_t source) {
+    bones.push_back({a, b});
+    bone_kind.push_back(kind);
+    source_bone.push_back(source);
 }
 
 }  // namespace sinew

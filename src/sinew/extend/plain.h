@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "sinew/base/vec.h"
-#include "sinew/skeleton/document.h"
+#include "sinew/extend/automorphism.h"
+#include "sinew/extend/form.h"
 #include "sinew/skeleton/graph.h"
 
 namespace sinew {
@@ -35,50 +36,6 @@ enum class BoneKind : std::uint8_t {
     body,   ///< inside the body of a ball or box joint: no rings on it
     side,   ///< the sides of a box, from one face to the opposite one
     plate,  ///< flat, between a tube and the larger face that it leaves through
-};
-
-/// The outline of a ring, or the body of a joint.
-struct Form {
-    enum class Kind : std::uint8_t {
-        ring,   ///< an outline in the plane of x and y (or turned into the bisector of a bend)
-        box,    ///< a joint whose surface is a box
-        ball,   ///< a joint whose surface is an ellipsoid
-        blend,  ///< a joint of round cones as usual; it has a form because of what happens on it
-    };
-    Kind kind = Kind::ring;
-    Section section = Section::round;
-    Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();  ///< unit, right-handed; z along the bone
-    Vec3 half = Vec3::Ones();  ///< half extents along x, y, z (rings: z unused)
-    bool fixed = false;        ///< ring: stands at right angles to z, whatever its bones do
-    std::int32_t sides = 4;    ///< vertices that its paths have at least
-    double sharpness = 0;  ///< of the crease on the ring; on a joint: of the creases where its tubes begin
-
-    /// A vector in the space where a ball is the unit ball and a box the cube from -1 to 1.
-    Vec3 local(const Vec3& v) const {
-        return {v.dot(x) / half.x(), v.dot(y) / half.y(), v.dot(z) / half.z()};
-    }
-};
-
-/// An ellipsoid is a round ball in a space of its own, where its cells and points are found as a ball's are:
-/// unit directions from there, and there. Great circles stay great circles. Other forms (and none) have no
-/// such space: their directions stay.
-inline bool is_ellipsoid(const Form* form) {
-    return form && form->kind == Form::Kind::ball &&
-           !(form->half.x() == form->half.y() && form->half.y() == form->half.z());
-}
-Vec3 stretched(const Form& form, const Vec3& direction, const Vec3& by);  ///< unit; along the form's axes
-inline Vec3 from_ball_space(const Form* form, const Vec3& direction) {
-    return is_ellipsoid(form) ? stretched(*form, direction, form->half) : direction;
-}
-inline Vec3 to_ball_space(const Form* form, const Vec3& direction) {
-    return is_ellipsoid(form) ? stretched(*form, direction, form->half.cwiseInverse()) : direction;
-}
-
-/// A rotation or reflection about the origin that maps the skeleton onto itself.
-struct Automorphism {
-    Mat3 generator = Mat3::Identity();
-    std::int32_t order = 1;           ///< generator^order is the identity; 1: no symmetry
-    std::vector<std::int32_t> image;  ///< node -> its image under the generator; empty without symmetry
 };
 
 struct Plain {
@@ -102,9 +59,10 @@ struct Plain {
     std::int32_t node_count() const { return static_cast<std::int32_t>(position.size()); }
     const Form* form(std::int32_t node) const { return form_of[node] < 0 ? nullptr : &forms[form_of[node]]; }
     bool is_body(std::int32_t node) const { return form(node) && form(node)->kind != Form::Kind::ring; }
-};
 
-/// Whether the bones, taken to the images of their nodes, are the same bones.
-bool bones_follow(const Plain& skeleton, const std::vector<std::int32_t>& image);
+    /// A round ball without a form or bones; its index.
+    std::int32_t add_node(const Vec3& at, double ball, std::int32_t source);
+    void add_bone(std::int32_t a, std::int32_t b, BoneKind kind, std::int32_t source);
+};
 
 }  // namespace sinew

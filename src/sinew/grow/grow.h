@@ -2,26 +2,13 @@
 /// Skeletons that grow: an L-system is derived step by step and a turtle walks along the result.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "sinew/base/progress.h"
 #include "sinew/base/result.h"
 #include "sinew/grow/grammar.h"
+#include "sinew/grow/options.h"
 #include "sinew/skeleton/document.h"
 
 namespace sinew {
-
-struct GrowOptions {
-    std::optional<int> steps;           ///< default: the file's %steps
-    std::optional<std::uint64_t> seed;  ///< default: the file's %seed
-    std::int64_t limit = 10'000'000;    ///< most nodes that may grow
-    std::vector<std::pair<std::string, double>>
-        constants;  ///< instead of the file's; others follow by their formulas
-};
 
 /// Grows a grammar. The heading at the start is +z, left is -x; lengths are in the grammar's unit, angles in
 /// degrees.

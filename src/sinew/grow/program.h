@@ -5,11 +5,14 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "sinew/base/result.h"
+#include "sinew/base/vec.h"
 #include "sinew/grow/formula.h"
-#include "sinew/grow/grow.h"
+#include "sinew/grow/grammar.h"
+#include "sinew/grow/options.h"
 #include "sinew/grow/random.h"
 #include "sinew/grow/turtle_symbols.h"
 

@@ -8,14 +8,13 @@
 #include <exception>
 
 #include "sinew/io/byte_order.h"
+#include "sinew/io/gltf_nodes.h"
 #include "sinew/io/json_text.h"
 #include "sinew/io/measured.h"
 #include "sinew/skeleton/validate.h"
 
 namespace sinew {
 namespace {
-
-using Transform = Eigen::Transform<double, 3, Eigen::Affine>;
 
 tl::unexpected<Error> fail_at(std::string pointer, std::string message, std::string cure) {
     return fail(Error{.message = std::move(message), .cure = std::move(cure), .path = std::move(pointer)});
@@ -40,8 +39,7 @@ Result<std::string_view> json_of_glb(std::string_view bytes) {
 }
 
 struct GltfNodes {
-    std::vector<std::int32_t> parent;
-    std::vector<Transform> local;
+    GltfTree tree;
     std::vector<std::string> name;
     std::vector<char> is_joint;
 };
@@ -64,14 +62,11 @@ Result<std::array<double, 16>> numbers(const Json& node, const char* key, std::s
     return result;
 }
 
-Result<Transform> local_transform(const Json& node, const std::string& pointer) {
-    Transform transform = Transform::Identity();
+Result<Eigen::Affine3d> transform_of(const Json& node, const std::string& pointer) {
     if (find(node, "matrix")) {
         const auto matrix = numbers(node, "matrix", 16, pointer, {});
         if (!matrix) return fail(matrix.error());
-        transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(matrix->data());  // by columns, as glTF's are
-        transform.makeAffine();
-        return transform;
+        return gltf_transform(*matrix);
     }
     const auto translation = numbers(node, "translation", 3, pointer, {0, 0, 0});
     if (!translation) return fail(translation.error());
@@ -79,11 +74,9 @@ Result<Transform> local_transform(const Json& node, const std::string& pointer) 
     if (!rotation) return fail(rotation.error());
     const auto scale = numbers(node, "scale", 3, pointer, {1, 1, 1});
     if (!scale) return fail(scale.error());
-    const Quat turn(Eigen::Map<const Eigen::Vector4d>(rotation->data()));
-    transform.translate(Vec3(Eigen::Map<const Vec3>(translation->data())));
-    if (turn.squaredNorm() > 0) transform.rotate(turn.normalized());
-    transform.scale(Vec3(Eigen::Map<const Vec3>(scale->data())));
-    return transform;
+    return gltf_transform(Eigen::Map<const Vec3>(translation->data()),
+                          Quat(Eigen::Map<const Eigen::Vector4d>(rotation->data())),
+                          Eigen::Map<const Vec3>(scale->data()));
 }
 
 /// An entry of an array of node numbers.
@@ -102,50 +95,28 @@ const Json& array_in(const Json& object, const char* key) {
 
 Result<GltfNodes> read_nodes(const Json& root) {
     const Json& list = array_in(root, "nodes");
-    GltfNodes nodes{.parent = std::vector<std::int32_t>(list.size(), -1),
-                    .is_joint = std::vector<char>(list.size(), 0)};
+    GltfNodes nodes{.is_joint = std::vector<char>(list.size(), 0)};
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string pointer = fmt::format("/nodes/{}", i);
         if (!list[i].is_object())
             return fail_at(pointer, "a node must be an object", "export the file again");
-        const Result<Transform> transform = local_transform(list[i], pointer);
+        const Result<Eigen::Affine3d> transform = transform_of(list[i], pointer);
         if (!transform) return fail(transform.error());
-        nodes.local.push_back(*transform);
+        nodes.tree.to_parent.push_back(*transform);
         const Json* name = find(list[i], "name");
         nodes.name.push_back(name && name->is_string() ? name->get<std::string>() : "");
         const Json& children = array_in(list[i], "children");
+        std::vector<std::int32_t>& numbers = nodes.tree.children.emplace_back();
         for (std::size_t k = 0; k < children.size(); ++k) {
-            const std::string place = fmt::format("{}/children/{}", pointer, k);
-            const Result<std::int32_t> child = node_number(children[k], list.size(), place);
+            const auto child =
+                node_number(children[k], list.size(), fmt::format("{}/children/{}", pointer, k));
             if (!child) return fail(child.error());
-            if (std::exchange(nodes.parent[*child], static_cast<std::int32_t>(i)) >= 0)
-                return fail_at(place, fmt::format("the node {} has two parents", *child),
-                               "export the file again");
+            numbers.push_back(*child);
         }
     }
+    const Result<void> found = find_parents(nodes.tree);
+    if (!found) return fail(found.error());
     return nodes;
-}
-
-/// Nodes, parents first. Fails for nodes that are their own ancestors.
-Result<std::vector<std::int32_t>> parents_first(const GltfNodes& nodes) {
-    const std::size_t count = nodes.parent.size();
-    std::vector<std::vector<std::int32_t>> children(count);
-    std::vector<std::int32_t> order;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(count); ++i) {
-        if (nodes.parent[i] < 0)
-            order.push_back(i);
-        else
-            children[nodes.parent[i]].push_back(i);
-    }
-    for (std::size_t k = 0; k < order.size(); ++k)
-        order.insert(order.end(), children[order[k]].begin(), children[order[k]].end());
-    if (order.size() < count) {
-        std::vector<char> reached(count, 0);
-        for (std::int32_t i : order) reached[i] = 1;
-        return fail_at(fmt::format("/nodes/{}", std::ranges::find(reached, 0) - reached.begin()),
-                       "the node is its own ancestor", "export the file again");
-    }
-    return order;
 }
 
 Result<void> mark_joints_of_skins(const Json& root, GltfNodes& nodes) {
@@ -154,7 +125,7 @@ Result<void> mark_joints_of_skins(const Json& root, GltfNodes& nodes) {
         const Json& joints = array_in(skins[s], "joints");
         for (std::size_t k = 0; k < joints.size(); ++k) {
             const auto joint =
-                node_number(joints[k], nodes.parent.size(), fmt::format("/skins/{}/joints/{}", s, k));
+                node_number(joints[k], nodes.is_joint.size(), fmt::format("/skins/{}/joints/{}", s, k));
             if (!joint) return fail(joint.error());
             nodes.is_joint[*joint] = 1;
         }
@@ -163,7 +134,7 @@ Result<void> mark_joints_of_skins(const Json& root, GltfNodes& nodes) {
 }
 
 /// Where there is no skin: the scene's nodes and all below them.
-Result<void> mark_scene(const Json& root, const std::vector<std::int32_t>& order, GltfNodes& nodes) {
+Result<void> mark_scene(const Json& root, GltfNodes& nodes) {
     const Json& scenes = array_in(root, "scenes");
     const Json* chosen = find(root, "scene");
     const std::int64_t number = chosen ? integer_in(*chosen).value_or(-1) : 0;
@@ -173,35 +144,31 @@ Result<void> mark_scene(const Json& root, const std::vector<std::int32_t>& order
     }
     if (number < 0 || number >= static_cast<std::int64_t>(scenes.size()))
         return fail_at("/scene", "there is no such scene", "export the file again");
-    const Json& roots = array_in(scenes[number], "nodes");
-    for (std::size_t k = 0; k < roots.size(); ++k) {
+    const Json& list = array_in(scenes[number], "nodes");
+    std::vector<std::int32_t> roots;
+    for (std::size_t k = 0; k < list.size(); ++k) {
         const auto node =
-            node_number(roots[k], nodes.parent.size(), fmt::format("/scenes/{}/nodes/{}", number, k));
+            node_number(list[k], nodes.is_joint.size(), fmt::format("/scenes/{}/nodes/{}", number, k));
         if (!node) return fail(node.error());
-        nodes.is_joint[*node] = 1;
+        roots.push_back(*node);
     }
-    for (std::int32_t i : order)
-        if (nodes.parent[i] >= 0 && nodes.is_joint[nodes.parent[i]]) nodes.is_joint[i] = 1;
+    for (const std::int32_t i : parents_first(nodes.tree, roots)) nodes.is_joint[i] = 1;
     return {};
 }
 
-Vec3 z_up(const Vec3& y_up) { return {y_up.x(), -y_up.z(), y_up.y()}; }
-
-Result<Document> joints(const GltfNodes& nodes, const std::vector<std::int32_t>& order) {
-    std::vector<Transform> global(nodes.local);
-    std::vector<std::int32_t> joint_above(order.size(),
+Result<Document> joints(const GltfNodes& nodes) {
+    const std::vector<std::int32_t>& parent = nodes.tree.parent;
+    const std::vector<Eigen::Affine3d> world = to_world(nodes.tree);
+    std::vector<std::int32_t> joint_above(parent.size(),
                                           -1);  // the node itself, or its nearest ancestor that is a joint
-    for (std::int32_t i : order) {
-        const std::int32_t parent = nodes.parent[i];
-        if (parent >= 0) global[i] = global[parent] * nodes.local[i];
-        joint_above[i] = nodes.is_joint[i] ? i : parent < 0 ? -1 : joint_above[parent];
-    }
+    for (const std::int32_t i : parents_first(nodes.tree, roots_of(nodes.tree)))
+        joint_above[i] = nodes.is_joint[i] ? i : parent[i] < 0 ? -1 : joint_above[parent[i]];
     Document document{.unit = "m"};
-    std::vector<std::int32_t> index(order.size(), -1);
+    std::vector<std::int32_t> index(parent.size(), -1);
     for (std::int32_t i = 0; i < std::ssize(index); ++i) {
         if (!nodes.is_joint[i]) continue;
         index[i] = static_cast<std::int32_t>(document.nodes.size());
-        const Vec3 position = z_up(global[i].translation());
+        const Vec3 position = gltf_to_z_up() * world[i].translation();
         if (!(position.cwiseAbs().maxCoeff() <= largest_length))
             return fail_at(fmt::format("/nodes/{}", i),
                            "the transforms lead to a position that is no finite number",
@@ -210,7 +177,7 @@ Result<Document> joints(const GltfNodes& nodes, const std::vector<std::int32_t>&
         document.names.push_back(nodes.name[i]);
     }
     for (Node& node : document.nodes) {
-        const std::int32_t above = nodes.parent[node.id] < 0 ? -1 : joint_above[nodes.parent[node.id]];
+        const std::int32_t above = parent[node.id] < 0 ? -1 : joint_above[parent[node.id]];
         node.parent = above < 0 ? -1 : index[above];
     }
     if (std::ranges::all_of(document.nodes, [](const Node& node) { return node.parent < 0; }))
@@ -226,12 +193,10 @@ Result<Document> skeleton_in(const Json& root) {
         return fail_at("/asset/version", "this is JSON, but no glTF of version 2", "export it as glTF 2.0");
     Result<GltfNodes> nodes = read_nodes(root);
     if (!nodes) return fail(std::move(nodes.error()));
-    const Result<std::vector<std::int32_t>> order = parents_first(*nodes);
-    if (!order) return fail(order.error());
-    const Result<void> marked = array_in(root, "skins").empty() ? mark_scene(root, *order, *nodes)
-                                                                : mark_joints_of_skins(root, *nodes);
+    const bool has_skin = !array_in(root, "skins").empty();
+    const Result<void> marked = has_skin ? mark_joints_of_skins(root, *nodes) : mark_scene(root, *nodes);
     if (!marked) return fail(marked.error());
-    return joints(*nodes, *order);
+    return joints(*nodes);
 }
 
 }  // namespace

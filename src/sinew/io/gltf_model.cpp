@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "sinew/io/files.h"
+#include "sinew/io/gltf_nodes.h"
 
 namespace sinew {
 namespace {
@@ -201,30 +202,27 @@ class AccessorReader {
     std::size_t width_ = 0;
 };
 
-/// From a node to its parent.
-Eigen::Matrix4d matrix_of(const tinygltf::Node& node) {
-    if (node.matrix.size() == 16) return Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
-    Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
-    if (node.translation.size() == 3)
-        matrix.translate(Vec3(node.translation[0], node.translation[1], node.translation[2]));
-    if (node.rotation.size() == 4) {
-        const Quat turn(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-        if (turn.norm() > 0) matrix.rotate(turn.normalized());
-    }
-    if (node.scale.size() == 3) matrix.scale(Vec3(node.scale[0], node.scale[1], node.scale[2]));
-    return matrix.matrix();
+Eigen::Affine3d transform_of(const tinygltf::Node& node) {
+    if (node.matrix.size() == 16) return gltf_transform(std::span<const double, 16>(node.matrix));
+    const auto all = [](const std::vector<double>& numbers, auto none) {
+        if (numbers.size() == std::size_t(none.size()))
+            none = Eigen::Map<const decltype(none)>(numbers.data());
+        return none;
+    };
+    return gltf_transform(all(node.translation, Vec3(0, 0, 0)),
+                          Quat(all(node.rotation, Eigen::Vector4d(0, 0, 0, 1))),
+                          all(node.scale, Vec3(1, 1, 1)));
 }
 
-std::vector<int> roots_of(const tinygltf::Model& model) {
+/// The nodes that the file shows, without those below them.
+Result<std::vector<std::int32_t>> roots_of_scene(const tinygltf::Model& model, const GltfTree& tree,
+                                                 const std::string& name) {
     const int scene = model.defaultScene >= 0 ? model.defaultScene : 0;
-    if (exists(model.scenes, scene)) return model.scenes[static_cast<std::size_t>(scene)].nodes;
-    std::vector<char> is_child(model.nodes.size(), 0);
-    for (const tinygltf::Node& node : model.nodes)
-        for (const int child : node.children)
-            if (exists(model.nodes, child)) is_child[static_cast<std::size_t>(child)] = 1;
-    std::vector<int> roots;
-    for (std::size_t i = 0; i < is_child.size(); ++i)
-        if (!is_child[i]) roots.push_back(static_cast<int>(i));
+    if (!exists(model.scenes, scene)) return roots_of(tree);
+    const std::vector<int>& roots = model.scenes[static_cast<std::size_t>(scene)].nodes;
+    for (const int node : roots)
+        if (!exists(model.nodes, node))
+            return wrong(name, "there is no such node", fmt::format("/nodes/{}", node));
     return roots;
 }
 
@@ -244,26 +242,21 @@ Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int acce
 }
 
 Result<std::vector<PlacedNode>> place_nodes(const tinygltf::Model& model, const std::string& name) {
-    std::vector<PlacedNode> placed;
-    std::vector<char> met(model.nodes.size(), 0);
-    auto place = [&](const std::vector<int>& nodes, const Eigen::Matrix4d& to_world) -> Result<void> {
-        for (const int node : nodes) {
-            if (!exists(model.nodes, node))
-                return wrong(name, "there is no such node", fmt::format("/nodes/{}", node));
-            if (std::exchange(met[static_cast<std::size_t>(node)], 1))
-                return wrong(name, "a node with two parents, or its own ancestor",
-                             fmt::format("/nodes/{}", node));
-            placed.push_back({node, to_world * matrix_of(model.nodes[static_cast<std::size_t>(node)])});
-        }
-        return {};
-    };
-    if (auto done = place(roots_of(model), Eigen::Matrix4d::Identity()); !done)
-        return tl::unexpected(done.error());
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-        const Eigen::Matrix4d to_world = placed[i].to_world;
-        const std::vector<int>& children = model.nodes[static_cast<std::size_t>(placed[i].node)].children;
-        if (auto done = place(children, to_world); !done) return tl::unexpected(done.error());
+    GltfTree tree;
+    for (const tinygltf::Node& node : model.nodes) {
+        tree.children.push_back(node.children);
+        tree.to_parent.push_back(transform_of(node));
     }
+    if (const Result<void> found = find_parents(tree); !found) {
+        Error error = found.error();
+        error.file = name;
+        return fail(std::move(error));
+    }
+    const Result<std::vector<std::int32_t>> roots = roots_of_scene(model, tree, name);
+    if (!roots) return tl::unexpected(roots.error());
+    const std::vector<Eigen::Affine3d> world = to_world(tree);
+    std::vector<PlacedNode> placed;
+    for (const std::int32_t node : parents_first(tree, *roots)) placed.push_back({node, world[node]});
     return placed;
 }
 

@@ -24,20 +24,13 @@ Result<tinygltf::Model> load_gltf(std::string_view bytes, const std::string& nam
 Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int accessor, int components,
                                           const std::string& name);
 
-/// The nodes of the default scene (of all, where no scene is named: those without a parent), each with the
-/// matrix from it to the world, parents before children. Fails for indices that lead nowhere and for nodes
-/// met twice.
+/// The nodes of the default scene (of all, where no scene is named: those without a parent) and all below
+/// them, each with the way from it to glTF's world, parents before children. Fails for indices that lead
+/// nowhere and for what is no tree (gltf_nodes.h).
 struct PlacedNode {
     int node = 0;
-    Eigen::Matrix4d to_world;
+    Eigen::Affine3d to_world;
 };
 Result<std::vector<PlacedNode>> place_nodes(const tinygltf::Model& model, const std::string& name);
-
-/// glTF's y is up, ours z: turns a point or direction of glTF's world into ours.
-inline Eigen::Matrix4d gltf_to_z_up() {
-    Eigen::Matrix4d turn;
-    turn << 1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1;
-    return turn;
-}
 
 }  // namespace sinew

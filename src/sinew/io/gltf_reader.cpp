@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sinew/io/gltf_model.h"
+#include "sinew/io/gltf_nodes.h"
 #include "sinew/io/ngon_encoding.h"
 #include "sinew/mesh/topology.h"
 #include "sinew/mesh/weld.h"
@@ -65,8 +66,8 @@ class MeshReader {
         if (node.mesh >= static_cast<int>(model_.meshes.size()))
             return wrong("there is no such mesh", fmt::format("/meshes/{}", node.mesh));
         // A skin places its mesh itself: the node's own place has no say, as the specification puts it.
-        Eigen::Matrix4d to_world = gltf_to_z_up();
-        if (node.skin < 0) to_world *= placed.to_world;
+        Eigen::Affine3d to_world = gltf_to_z_up();
+        if (node.skin < 0) to_world = to_world * placed.to_world;
         const std::vector<tinygltf::Primitive>& primitives =
             model_.meshes[static_cast<std::size_t>(node.mesh)].primitives;
         for (std::size_t p = 0; p < primitives.size(); ++p) {
@@ -77,7 +78,7 @@ class MeshReader {
         return {};
     }
 
-    Result<void> read_primitive(const tinygltf::Primitive& primitive, const Eigen::Matrix4d& to_world) {
+    Result<void> read_primitive(const tinygltf::Primitive& primitive, const Eigen::Affine3d& to_world) {
         for (const char* packed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
             if (primitive.extensions.count(packed))
                 return wrong(fmt::format("its data are packed with {}", packed), path_);
@@ -88,20 +89,20 @@ class MeshReader {
         if (mesh_.vertex_count() + mesh_.corners.size() + 3 * indices->size() >= no_index)
             return wrong("more vertices or corners than 32 bits can count", path_);
         for (Index& v : *indices) v += static_cast<Index>(base);
-        append_faces(primitive, *indices, to_world.topLeftCorner<3, 3>().determinant() < 0);
+        append_faces(primitive, *indices, to_world.linear().determinant() < 0);
         shared_ &= says_shared(primitive);
         return {};
     }
 
-    Result<void> read_positions(const tinygltf::Primitive& primitive, const Eigen::Matrix4d& to_world) {
+    Result<void> read_positions(const tinygltf::Primitive& primitive, const Eigen::Affine3d& to_world) {
         const auto attribute = primitive.attributes.find("POSITION");
         if (attribute == primitive.attributes.end()) return wrong("it has no positions", path_);
         const Result<std::vector<double>> numbers = read_accessor(model_, attribute->second, 3, name_);
         if (!numbers) return tl::unexpected(numbers.error());
-        const bool stays = to_world == Eigen::Matrix4d::Identity();
+        const bool stays = to_world.matrix() == Eigen::Matrix4d::Identity();
         for (std::size_t i = 0; i < numbers->size(); i += 3) {
             Vec3 position((*numbers)[i], (*numbers)[i + 1], (*numbers)[i + 2]);
-            if (!stays) position = (to_world * position.homogeneous()).head<3>();
+            if (!stays) position = to_world * position;
             mesh_.positions.push_back(position.cast<float>());
             if (!mesh_.positions.back().allFinite())
                 return wrong(fmt::format("vertex {} is not finite", i / 3), path_);

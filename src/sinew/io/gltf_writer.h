@@ -10,7 +10,7 @@
 namespace sinew {
 
 /// The mesh as a .glb or a .gltf (with its data in it). Faces are cut into triangles (triangulate.h) in the
-/// order of the extension FB_ngon_encoding, from which readers who know it (gltf_mesh.h, Blender's add-ons)
+/// order of the extension FB_ngon_encoding, from which readers who know it (gltf_reader.h, Blender's add-ons)
 /// put quads together again; for others they are plain triangles. Vertices on creases are taken apart
 /// (split.h), since a normal is a vertex's: readers who make one of what lies at one place get the mesh back.
 /// Our z is up, glTF's y: the node's matrix turns it and makes metres of the units, the vertices keep their

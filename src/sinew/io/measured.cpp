@@ -36,7 +36,7 @@ std::vector<std::int32_t> nearest_with_radius(const Document& document) {
     while (!queue.empty()) {
         const auto [so_far, i] = queue.top();
         queue.pop();
-        if (so_far > distance[i]) continue;
+        if (so_far > distance[i]) continue;  // met on a shorter way since: there is only time to lose
         for (std::int32_t b : around.bones(i)) {
             const std::int32_t next = bones[b][0] == i ? bones[b][1] : bones[b][0];
             const double there = so_far + length_of(document, bones[b]);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sinew/mesh/limit_rings.h"
-#include "sinew/subdivide/limit_surface.h"
+#include "sinew/subdivide/finest.h"
 #include "sinew/subdivide/rings.h"
 
 namespace sinew {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "sinew/subdivide/finest_rings.h"
+#include "sinew/subdivide/limit_surface.h"
 #include "sinew/subdivide/refine.h"
 
 namespace sinew {

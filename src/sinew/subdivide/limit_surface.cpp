@@ -1,3 +1,5 @@
+#include "sinew/subdivide/limit_surface.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 

@@ -2,17 +2,9 @@
 /// Where the vertices of the finest level go in the limit, and the normals there.
 #pragma once
 
-#include "sinew/subdivide/finer_rules.h"
+#include "sinew/subdivide/finest.h"
 
 namespace sinew {
-
-/// Everything but positions that the limit needs.
-struct Finest {
-    std::span<const Level> levels;  ///< those that are split; the control mesh's also if none is
-    std::size_t splits = 0;
-    const SurfaceRules& rules;  ///< of the finest level
-    const Features& features;   ///< where circles and planes are
-};
 
 /// @param control  positions of the finest level; changed on the way, restored at the end
 /// @param limit    as many
