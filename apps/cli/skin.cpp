@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "sinew/io/units.h"
+#include "sinew/skeleton/validate.h"
 #include "sinew/smooth/smooth_skin.h"
 
 namespace sinew::cli {
@@ -28,6 +29,8 @@ struct SkinCommand {
     std::string fit;
     std::string stage = "place";
     bool keep_nodes = false;
+    std::optional<double> blend;
+    Density density;
 
     SmoothSkinOptions options(bool measured) const;
     std::string advice(const Job& job) const;
@@ -46,7 +49,9 @@ SmoothSkinOptions SkinCommand::options(bool measured) const {
             .fit = fitted,
             .sides = sides == "auto" ? 0 : std::stoi(sides),
             .repair = measured && !keep_nodes,
-            .stage = stages.at(stage)};
+            .stage = stages.at(stage),
+            .blend = blend,
+            .density = density == Density{} ? std::nullopt : std::optional(density)};
 }
 
 Outcome describe(const Skin& skin, const Job& job, double seconds) {
@@ -115,6 +120,17 @@ void add_skin(CLI::App& program, Session& session) {
     app.add_option("--fit", command->fit, "Whose radii are those of the skeleton (see below)")
         ->type_name("control|limit")
         ->check(one_of({"control", "limit"}));
+    app.add_option("--blend", command->blend,
+                   "How soft crotches are: radius of the ball that rolls round joints, in radii (0.25)")
+        ->type_name("B")
+        ->check(CLI::Range(0.0, largest_blend).description(""));
+    app.add_option("--aspect", command->density.aspect,
+                   "No quad of a tube is longer than so many times its width")
+        ->type_name("A")
+        ->check(CLI::Range(least_aspect, 1e6).description(""));
+    app.add_option("--edge-length", command->density.edge_length, "No quad of a tube is longer than this")
+        ->type_name("L")
+        ->check(CLI::PositiveNumber.description(""));
     app.add_flag("--keep-nodes", command->keep_nodes, "Thin out and merge no nodes of measured skeletons");
     app.add_option("--stage", command->stage,
                    "Write what this stage made: polyhedra, refine, bridge or place (all)")

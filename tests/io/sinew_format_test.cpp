@@ -30,7 +30,8 @@ std::string with_nodes(const std::string& nodes) {
 }
 
 const char* every_key = R"({
-  "format": "sinew", "version": 1, "unit": "mm", "author": {"name": "A", "tags": []},
+  "format": "sinew", "version": 1, "unit": "mm", "blend": 0.5,
+  "density": {"aspect": 2, "edge_length": 0.1, "grade": 1}, "author": {"name": "A", "tags": []},
   "symmetry": {"radial": {"axis": "z", "count": 8, "phase": 0}, "note": 1},
   "nodes": [
     {"id": 7, "position": [0, -0.0, 1e-300], "radius": 0.1, "name": "hip ❤ \"q\"", "type": "sphere", "colour": [1, 2]},
@@ -39,12 +40,16 @@ const char* every_key = R"({
     {"id": 9, "parent": 0, "position": [1, 0, 2], "radius": 3, "joint": 2.5, "scale": [1, 1], "roll": 0, "name": ""},
     {"id": 8, "parent": 0, "position": [0, 1, 2], "radius": 3, "joint": "smooth", "scale": [2, 1, 1],
      "rotation": [0, 0, 0.6, 0.8], "section": "round", "joint2": null},
-    {"id": 4, "position": [9, 9, 9], "radius": 1, "joint": 0}],
+    {"id": 4, "position": [9, 9, 9], "radius": 1, "joint": 0, "blend": 0}],
   "links": [[7, 9], [8, 9]]})";
 
 TEST(SinewFormat, ReadsEveryKey) {
     const Document d = parse_sinew(every_key).value().document;
     EXPECT_EQ(d.unit, "mm");
+    EXPECT_EQ(d.blend, 0.5);
+    EXPECT_EQ(d.density, (Density{.aspect = 2, .edge_length = 0.1}));
+    EXPECT_EQ(d.nodes[4].blend, 0);
+    EXPECT_FALSE(d.nodes[0].blend);
     EXPECT_EQ(d.symmetry, (Symmetry{Symmetry::Kind::radial, 2, 8}));
     ASSERT_EQ(d.nodes.size(), 5u);
     EXPECT_EQ(d.nodes[0].id, 7);
@@ -63,6 +68,20 @@ TEST(SinewFormat, ReadsEveryKey) {
     EXPECT_THAT(d.names, ElementsAre("hip ❤ \"q\"", "", "", "", ""));
     EXPECT_EQ(json::parse(d.extras[0]), json::parse(R"({"colour": [1, 2]})"));
     EXPECT_THAT(d.links, ElementsAre(std::array{0, 2}, std::array{3, 2}));
+}
+
+TEST(SinewFormat, RefusesABlendAndADensityOutOfRange) {
+    for (const auto& [key, path] :
+         {std::pair(R"("blend": -1)", "/blend"), std::pair(R"("blend": 5)", "/blend"),
+          std::pair(R"("density": 2)", "/density"),
+          std::pair(R"("density": {"aspect": 0.5})", "/density/aspect"),
+          std::pair(R"("density": {"edge_length": 0})", "/density/edge_length")}) {
+        const auto read =
+            parse_sinew(std::string(R"({"format": "sinew", "version": 1, )") + key + R"(, "nodes": []})");
+        ASSERT_FALSE(read) << key;
+        EXPECT_EQ(read.error().path, path);
+    }
+    EXPECT_FALSE(parse_sinew(with_nodes(R"({"id": 1, "position": [0, 0, 0], "radius": 1, "blend": 4.5})")));
 }
 
 TEST(SinewFormat, SavingKeepsEveryKey) { EXPECT_EQ(json::parse(saved(every_key)), json::parse(every_key)); }

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "sinew/base/round_cone.h"
 
 namespace sinew {
 namespace {
@@ -70,7 +73,7 @@ TEST(Condition, ThinsRunsOnlyWhereItMayRepair) {
 }
 
 TEST(Condition, MergesANestedBallIntoItsNeighbour) {
-    const Document d = chain({{{0, 0, 0}, 3}, {{0.5, 0, 0}, 1}, {{8, 0, 0}, 1}});
+    const Document d = chain({{{0, 0, 0}, 3}, {{0.5, 0, 0}, 2.5}, {{8, 0, 0}, 2.5}});
     EXPECT_EQ(condition(d).position.size(), 3u);
     const CleanGraph graph = condition(d, {.repair = true});
     EXPECT_EQ(graph.source_node, (std::vector<std::int32_t>{0, 2}));
@@ -78,6 +81,51 @@ TEST(Condition, MergesANestedBallIntoItsNeighbour) {
     ASSERT_EQ(graph.warnings.size(), 1u);
     EXPECT_EQ(graph.warnings[0].count, 1);
     EXPECT_EQ(graph.warnings[0].nodes, std::vector<std::int64_t>{11});
+}
+
+/// How wide the tubes of a graph are at a place: the radius of the widest round cone there.
+double width_at(const CleanGraph& graph, const Vec3& place) {
+    double widest = 0;
+    for (const auto& [a, b] : graph.bones) {
+        const ConeFrom cone(graph.position[a], graph.radius[a], graph.position[b], graph.radius[b]);
+        const double height = (place - graph.position[a]).dot(cone.axis);
+        if (height > -graph.radius[a] && height < cone.length + graph.radius[b])
+            widest = std::max(widest, cone.radius_at(height));
+    }
+    return widest;
+}
+
+TEST(Condition, KeepsTheWidthOfAThinTubeThatBeginsInsideABall) {
+    const Document d = chain({{{0, 0, 0}, 3}, {{0.5, 0, 0}, 0.4}, {{20, 0, 0}, 0.2}});
+    const CleanGraph graph = condition(d, {.repair = true});
+    EXPECT_EQ(graph.source_node, (std::vector<std::int32_t>{0, 2, 1}));
+    EXPECT_EQ(graph.radius[0], 3);
+    EXPECT_EQ(counts_of(graph).components, 1);
+    for (const double x : {4.0, 8.0, 16.0})
+        EXPECT_NEAR(width_at(graph, {x, 0, 0}), 0.4 - 0.2 * (x - 0.5) / 19.5, 0.02);
+}
+
+TEST(Condition, KeepsTheWidthsOfTubesBetweenBallsThatAreLargerThanThem) {
+    const Document d = chain({{{0, 0, 0}, 3}, {{1, 0, 0}, 0.5}, {{19, 0, 0}, 0.5}, {{20, 0, 0}, 3}});
+    const CleanGraph graph = condition(d, {.repair = true});
+    for (const double x : {4.0, 10.0, 16.0}) EXPECT_NEAR(width_at(graph, {x, 0, 0}), 0.5, 1e-9);
+    for (const double x : {0.0, 20.0}) EXPECT_NEAR(width_at(graph, {x, 0, 0}), 3, 1e-9);
+}
+
+/// Thinning begins beside the ball, and must not eat its way along the tube.
+TEST(Condition, KeepsTheWidthOfADenseRunThatLeavesABall) {
+    Document d = chain({{{0, 0, 0}, 2}});
+    for (int i = 1; i <= 400; ++i) {
+        Node node;
+        node.id = 100 + i;
+        node.parent = i - 1;
+        node.position = {0.05 * i, 0, 0};
+        node.radius = 0.3;
+        d.nodes.push_back(node);
+    }
+    const CleanGraph graph = condition(d, {.repair = true});
+    EXPECT_LT(graph.position.size(), 150u);
+    for (double x = 2.5; x < 20; x += 0.5) EXPECT_NEAR(width_at(graph, {x, 0, 0}), 0.3, 0.03) << x;
 }
 
 TEST(Condition, LeavesANodeOnAllRunsButOneBetweenTheSameTwo) {

@@ -2,7 +2,6 @@
 /// Puts the parts together: viewport, panels, menus, files. What each does it does itself.
 #pragma once
 
-#include <QMainWindow>
 #include <QTimer>
 #include <memory>
 
@@ -12,6 +11,7 @@
 #include "tools/interaction.h"
 #include "window/file_keeper.h"
 #include "window/mesh_keeper.h"
+#include "window/window_parts.h"
 
 namespace sinew::modeler {
 
@@ -25,7 +25,7 @@ class ViewBar;
 class Viewport;
 class WindowHost;
 
-class MainWindow : public QMainWindow {
+class MainWindow : public WindowParts {
   public:
     MainWindow();
     ~MainWindow() override;
@@ -33,18 +33,15 @@ class MainWindow : public QMainWindow {
     /// Opens a file, or starts anew where there is none.
     void start(const QString& path);
 
-    /// Docks a panel where the properties are, which rest behind it.
-    void put_over_properties(QDockWidget& panel);
+    void put_over_properties(QDockWidget& panel) override;
+    void lock(bool locked) override;
 
-    /// While something else previews in the model only the view can be changed.
-    void lock(bool locked);
-
-    Model& model() { return model_; }
-    Interaction& tools() { return tools_; }
-    ViewSettings& view() { return view_; }
-    Viewport& viewport() { return *viewport_; }
-    FileKeeper& files() { return files_; }
-    MeshKeeper& meshes() { return *meshes_; }
+    Model& model() override { return model_; }
+    Interaction& tools() override { return tools_; }
+    ViewSettings& view() override { return view_; }
+    Viewport& viewport() override { return *viewport_; }
+    FileKeeper& files() override { return files_; }
+    MeshKeeper& meshes() override { return *meshes_; }
     ActionSet& actions() { return *action_set_; }
 
   protected:

@@ -6,18 +6,23 @@
 #include <QStatusBar>
 
 #include "document/edits.h"
+#include "document/model.h"
+#include "document/view_settings.h"
 #include "sinew/skeleton/graph.h"
+#include "tools/interaction.h"
 #include "viewport/navigation.h"
 #include "viewport/view_grid.h"
 #include "viewport/viewport.h"
 #include "window/adjust_panel.h"
 #include "window/dialogs.h"
 #include "window/export_dialog.h"
+#include "window/file_keeper.h"
 #include "window/grow_panel.h"
-#include "window/main_window.h"
+#include "window/mesh_keeper.h"
 #include "window/reference_dialog.h"
 #include "window/shortcut_sheet.h"
 #include "window/type_menu.h"
+#include "window/window_parts.h"
 
 namespace sinew::modeler {
 namespace {
@@ -37,7 +42,7 @@ std::vector<std::int32_t> bones_of_selection(const Document& document, const Sel
 
 }  // namespace
 
-WindowHost::WindowHost(MainWindow& window) : window_(window) {}
+WindowHost::WindowHost(WindowParts& window) : window_(window) {}
 
 void WindowHost::new_document() {
     if (window_.files().new_document()) frame(true);

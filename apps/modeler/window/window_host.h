@@ -10,12 +10,12 @@ namespace sinew::modeler {
 
 class AdjustPanel;
 class GrowPanel;
-class MainWindow;
 class TypeMenu;
+class WindowParts;
 
 class WindowHost : public Host {
   public:
-    explicit WindowHost(MainWindow& window);
+    explicit WindowHost(WindowParts& window);
 
     void new_document() override;
     void open() override;
@@ -50,7 +50,7 @@ class WindowHost : public Host {
   private:
     QString ask_grammar();
 
-    MainWindow& window_;
+    WindowParts& window_;
     TypeMenu* type_menu_ = nullptr;
     AdjustPanel* adjust_panel_ = nullptr;
     QPointer<GrowPanel> growing_;

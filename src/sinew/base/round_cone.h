@@ -68,6 +68,19 @@ struct ConeFrom {
         return rise >= length * cosine ? to_far : across * cosine + along * sine - near;
     }
 
+    /// Unit normal of the surface next to a point, seen from the near centre: where distance() grows.
+    Vec3 normal(const Vec3& point) const {
+        const double along = point.dot(axis);
+        const Vec3 side = point - along * axis, from_far = point - length * axis;
+        const double across = side.norm();
+        const auto away = [&](const Vec3& v) { return v.squaredNorm() > 0 ? Vec3(v.normalized()) : axis; };
+        if (nested_) return away(point.norm() - near < from_far.norm() - far ? point : from_far);
+        const double rise = along * cosine - across * sine;
+        if (rise <= 0) return away(point);
+        if (rise >= length * cosine) return away(from_far);
+        return across > 0 ? Vec3(cosine / across * side + sine * axis) : axis;
+    }
+
     /// Heights above the near centre at which the straight side begins and ends.
     double side_begin() const { return near * sine; }
     double side_end() const { return length + far * sine; }

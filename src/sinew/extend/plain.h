@@ -47,6 +47,9 @@ struct Plain {
     /// One a node; for Cap::pit, how deep it is below the surface, and how far above it the node stands.
     std::vector<double> pit_depth;
 
+    /// One a node, or empty: radius of the ball that rolls round a joint there, in radii (Node::blend).
+    std::vector<double> blend;
+
     std::vector<Bone> bones;
     std::vector<BoneKind> bone_kind;
 

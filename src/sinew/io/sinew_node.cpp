@@ -119,6 +119,7 @@ class NodeReader {
     void set_rotation(const Json& value) {
         numbers(value, 4, 4, read_.node.rotation.emplace().coeffs().data());
     }
+    void set_blend(const Json& value) { read_.node.blend = number(value); }
     void set_joint(const Json& value) {
         read_.node.given.joint = true;
         read_.node.given.joint_in_words = value.is_string();
@@ -140,7 +141,8 @@ class NodeReader {
             {"id", &N::set_id},           {"parent", &N::set_parent},     {"position", &N::set_position},
             {"radius", &N::set_radius},   {"name", &N::set_name},         {"type", &N::set_type},
             {"section", &N::set_section}, {"scale", &N::set_scale},       {"size", &N::set_size},
-            {"roll", &N::set_roll},       {"rotation", &N::set_rotation}, {"joint", &N::set_joint}};
+            {"roll", &N::set_roll},       {"rotation", &N::set_rotation}, {"joint", &N::set_joint},
+            {"blend", &N::set_blend}};
         // clang-format on
         for (const auto& [name, setter] : setters)
             if (name == key) return setter;

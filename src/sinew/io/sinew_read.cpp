@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 
 #include "sinew/io/json_text.h"
 #include "sinew/io/sinew_format.h"
@@ -23,6 +24,7 @@ class DocumentReader {
         if (!error_) read_parents();
         if (!error_) read_links(root);
         if (!error_) read_symmetry(root);
+        if (!error_) read_surface(root);
         if (!error_) keep_unknown(root);
         if (error_) return fail(std::move(*error_));
         return std::move(document_);
@@ -158,6 +160,32 @@ class DocumentReader {
         document_.symmetry.count = static_cast<int>(*images);
     }
 
+    /// A number in a range, where there is one.
+    std::optional<double> number_in(const Json& object, const char* key, std::string path, double least,
+                                    double most) {
+        const Json* given = find(object, key);
+        if (!given) return std::nullopt;
+        const double value = given->is_number() ? given->get<double>() : -1;
+        if (!(value >= least && value <= most)) {
+            complain(path + "/" + key, fmt::format("\"{}\" must be a number from {} to {}", key, least, most),
+                     "correct it, or leave it out");
+            return std::nullopt;
+        }
+        return value;
+    }
+    void read_surface(const Json& root) {
+        document_.blend = number_in(root, "blend", "", 0, largest_blend);
+        const Json* density = find(root, "density");
+        if (!density) return;
+        if (!density->is_object())
+            return complain("/density", "the density must be an object", "write {\"aspect\": 2}");
+        document_.density.aspect =
+            number_in(*density, "aspect", "/density", least_aspect, largest_length).value_or(0);
+        document_.density.edge_length =
+            number_in(*density, "edge_length", "/density", std::numeric_limits<double>::min(), largest_length)
+                .value_or(0);
+    }
+
     void read_axis(const Json* value, const char* path) {
         const auto found = value && value->is_string()
                                ? std::ranges::find(axis_words, value->get<std::string>())
@@ -168,7 +196,8 @@ class DocumentReader {
     }
 
     void keep_unknown(const Json& root) {
-        Json unknown = without(root, {"format", "version", "unit", "symmetry", "nodes", "links"});
+        Json unknown =
+            without(root, {"format", "version", "unit", "symmetry", "blend", "density", "nodes", "links"});
         if (const Json* symmetry = find(root, "symmetry")) {
             Json inside = without(*symmetry, {"mirror", "radial"});
             if (const Json* radial = find(*symmetry, "radial"))
@@ -176,6 +205,9 @@ class DocumentReader {
                     inside["radial"] = std::move(rest);
             if (!inside.empty()) unknown["symmetry"] = std::move(inside);
         }
+        if (const Json* density = find(root, "density"))
+            if (Json rest = without(*density, {"aspect", "edge_length"}); !rest.empty())
+                unknown["density"] = std::move(rest);
         if (!unknown.empty()) document_.extra = unknown.dump();
     }
 

@@ -45,8 +45,11 @@ class Writer {
         if (document_.unit_given || !document_.unit.empty()) put_key("unit", json_string(document_.unit));
         if (document_.symmetry.kind != Symmetry::Kind::none)
             put_key("symmetry", symmetry(inner(unknown, "symmetry")));
+        if (document_.blend) put_key("blend", fmt::format("{}", *document_.blend));
+        if (const Json density = this->density(inner(unknown, "density")); !density.empty())
+            put_key("density", density.dump());
         for (const auto& [key, value] : unknown.get_ref<const Json::object_t&>())
-            if (key != "symmetry") put_key(key, value.dump());
+            if (key != "symmetry" && key != "density") put_key(key, value.dump());
         put_nodes();
         if (document_.links_given || !document_.links.empty()) put_links();
         out_ += "\n}\n";
@@ -57,6 +60,12 @@ class Writer {
   private:
     void put_key(std::string_view key, std::string_view value) {
         out_ += fmt::format(",\n  {}: {}", json_string(key), value);
+    }
+
+    Json density(Json unknown) const {
+        if (document_.density.aspect > 0) unknown["aspect"] = document_.density.aspect;
+        if (document_.density.edge_length > 0) unknown["edge_length"] = document_.density.edge_length;
+        return unknown;
     }
 
     std::string symmetry(const Json& unknown) const {
@@ -116,6 +125,7 @@ class Writer {
         if (node.rotation)
             put("rotation", {node.rotation->x(), node.rotation->y(), node.rotation->z(), node.rotation->w()},
                 i);
+        if (node.blend) put("blend", *node.blend, i);
         if (std::isinf(node.joint) && node.joint > 0)
             put("joint", "\"sharp\"");
         else if (node.joint == 0 && node.given.joint_in_words)

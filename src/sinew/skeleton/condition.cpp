@@ -364,8 +364,7 @@ class Repair {
         if (!(length > 0) || in.norm() >= reach) return std::nullopt;
         const double half = in.dot(way) / length,
                      along = -half + std::sqrt(half * half + reach * reach - in.squaredNorm());
-        const double share = along / length,
-                     wide = (1 - share) * radius(swallowed) + share * radius(beyond);
+        const double share = along / length, wide = (1 - share) * radius(swallowed) + share * radius(beyond);
         if (length - along < options_.spacing * std::max(wide, radius(beyond))) return std::nullopt;
         const Vec3 at = from + share * way;
         if (radius_between(ball, beyond, at) < own_shape * wide) return std::nullopt;
@@ -377,7 +376,8 @@ class Repair {
     std::vector<Bone> bones_;
     std::vector<std::int32_t> merged_;  // node -> node it was merged into
     std::vector<std::int32_t> source_;  // bone -> source bone
-    std::vector<std::array<std::int32_t, 2>> foot_;  // bone, end -> the node it was drawn from, if that was merged
+    std::vector<std::array<std::int32_t, 2>>
+        foot_;  // bone, end -> the node it was drawn from, if that was merged
     std::vector<std::array<std::int32_t, 2>> side_;
     std::vector<std::uint8_t> gone_;
     std::set<std::pair<std::int32_t, std::int32_t>> shortened_;  // ends of runs that are one bone now

@@ -26,6 +26,9 @@ constexpr bool is_tip(NodeType type) {
     return type == NodeType::cone || type == NodeType::hemisphere || type == NodeType::negative;
 }
 
+/// What looks best on the skeletons that it was tried on: crotches are soft, and limbs keep their lengths.
+inline constexpr double default_blend = 0.25;
+
 /// The outline across a bone.
 enum class Section : std::uint8_t { round, rectangular };
 
@@ -59,7 +62,8 @@ struct Node {
     double roll = 0;           ///< degrees about the bone
     /// For a root, and for a cube or a ball at a branch. As given: normalise before use.
     std::optional<Quat> rotation;
-    double joint = 0;  ///< sharpness of the ring here: 0 smooth; >= 10 infinitely sharp
+    double joint = 0;             ///< sharpness of the ring here: 0 smooth; >= 10 infinitely sharp
+    std::optional<double> blend;  ///< of the joint here, in radii; unless given, the document's
     GivenKeys given;
 };
 
@@ -74,8 +78,20 @@ struct Symmetry {
     bool operator==(const Symmetry&) const = default;
 };
 
+/// How dense the quads of tubes are, beyond what the shape asks for. 0: not asked for.
+struct Density {
+    double aspect = 0;       ///< no quad of a tube is longer than so many times its width
+    double edge_length = 0;  ///< nor than this, in the document's unit
+
+    bool operator==(const Density&) const = default;
+};
+
 struct Document {
     std::string unit;  ///< "m", "mm", "um" ...; empty where it is unknown
+    /// Radius of the ball that rolls outside round the joints, in radii of each: the larger, the softer the crotches.
+    /// 0: round cones that meet in creases. Unless given, default_blend.
+    std::optional<double> blend;
+    Density density;
     Symmetry symmetry;
     std::vector<Node> nodes;
     /// More bones, as pairs of node indices: they close cycles.

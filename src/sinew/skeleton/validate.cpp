@@ -101,6 +101,9 @@ void check_numbers(const Document& document, std::int32_t i, Finder& finder) {
             finder.at_node(i, "rotation", "the rotation is not a quaternion that can be normalised",
                            "give [x, y, z, w] of length 1; [0, 0, 0, 1] does not rotate");
     }
+    if (node.blend && !(*node.blend >= 0 && *node.blend <= largest_blend))
+        finder.at_node(i, "blend", fmt::format("the blend must be from 0 to {}", largest_blend),
+                       "give the radius of the rolling ball in radii of the node");
     if (!(node.joint >= 0))
         finder.at_node(i, "joint", "the sharpness of a joint must be 0 or more",
                        "say \"smooth\", \"sharp\" or a number from 0 to 10");

@@ -14,6 +14,10 @@ namespace sinew {
 inline constexpr double largest_length = 1e30;
 /// More images of a radial symmetry than anyone draws.
 inline constexpr int largest_symmetry_count = 1000;
+/// Of Node::blend and Document::blend: with more, joints are balls that swallow their bones.
+inline constexpr double largest_blend = 4;
+/// Of Density::aspect: a square.
+inline constexpr double least_aspect = 1;
 
 /// Everything that is wrong with a document, each with the JSON pointer in its file, the node's id, and the
 /// cure: first what concerns single nodes, in their order, then parent cycles, then links, then the symmetry.

@@ -35,10 +35,14 @@ Result<SmoothSkin> make(const Document& document, const SmoothSkinOptions& optio
                         const Finer& finer) {
     const double half = options.levels != 0 ? 0.5 : 1;
     Watch watch;
-    auto skinned = skin(
-        document,
-        {.sides = options.sides, .fit = fit_of(options), .repair = options.repair, .stage = options.stage},
-        progress.part(0, half));
+    auto skinned = skin(document,
+                        {.sides = options.sides,
+                         .fit = fit_of(options),
+                         .repair = options.repair,
+                         .stage = options.stage,
+                         .blend = options.blend,
+                         .density = options.density},
+                        progress.part(0, half));
     if (!skinned) return fail(skinned.error());
     SmoothSkin made{.skin = std::move(*skinned), .skin_seconds = watch.lap()};
     if (options.levels == 0) return made;

@@ -15,9 +15,11 @@ struct SmoothSkinOptions {
     /// What the radii of the skeleton are those of. Unless told: of what is made, which is the limit where it
     /// is subdivided and the control mesh where it is not.
     std::optional<Fit> fit;
-    int sides = 0;  ///< as in SkinOptions, these three too
+    int sides = 0;  ///< as in SkinOptions, like those that follow
     bool repair = false;
     SkinStage stage = SkinStage::place;
+    std::optional<double> blend;
+    std::optional<Density> density;
     std::uint64_t memory = 0;  ///< as in SubdivideOptions
 };
 

@@ -34,8 +34,8 @@ std::int64_t irregular_at_most(const sqm::Network& network, const sqm::Polyhedra
 }
 
 /// The stages of sqm, in their order.
-Result<QuadMesh> make_mesh(const Plain& skeleton, const SkinOptions& options, const Progress& progress,
-                           Skin& result) {
+Result<QuadMesh> make_mesh(const Plain& skeleton, const SkinOptions& options, const Density& density,
+                           const Progress& progress, Skin& result) {
     using namespace sqm;
     const Network network = find_network(skeleton);
 
@@ -60,8 +60,9 @@ Result<QuadMesh> make_mesh(const Plain& skeleton, const SkinOptions& options, co
         return refined_mesh(skeleton, network, *polyhedra, *refinement, points);
 
     progress(0.5, "bridge");
-    const Stations stations = make_stations(skeleton, network, *polyhedra, *refinement, surfaces, points,
-                                            {.support = options.fit == Fit::limit});
+    const Stations stations = make_stations(
+        skeleton, network, *polyhedra, *refinement, surfaces, points,
+        {.support = options.fit == Fit::limit, .aspect = density.aspect, .edge_length = density.edge_length});
     const Parts parts{skeleton, network, *polyhedra, *refinement, surfaces, points, stations};
     auto bridged = bridge(parts, progress);
     if (!bridged) return fail(bridged.error());
@@ -118,7 +119,13 @@ Result<Skin> skin(const Document& document, const SkinOptions& options, const Pr
     Plain plain = extend(whole, graph, result.warnings);
     plain.symmetry = symmetric ? carry_symmetry(plain, expanded.generator, expanded.order, expanded.image)
                                : find_mirror(plain);
-    auto mesh = make_mesh(plain, options, progress, result);
+    plain.blend.reserve(plain.source_node.size());
+    for (const std::int32_t node : plain.source_node)
+        plain.blend.push_back(std::clamp(
+            whole.nodes[node].blend.value_or(options.blend.value_or(document.blend.value_or(default_blend))),
+            0.0, largest_blend));
+    const Density density = options.density.value_or(document.density);
+    auto mesh = make_mesh(plain, options, density, progress, result);
     if (!mesh) return fail(mesh.error());
     result.mesh = std::move(*mesh);
     if (symmetric) name_drawn(document, expanded, result.mesh);

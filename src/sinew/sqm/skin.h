@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "sinew/base/progress.h"
 #include "sinew/base/result.h"
@@ -25,6 +26,8 @@ struct SkinOptions {
     Fit fit = Fit::control;
     bool repair = false;  ///< thin out and merge nodes far closer than a radius (for measured skeletons)
     SkinStage stage = SkinStage::place;
+    std::optional<double> blend;     ///< instead of Document::blend, for nodes that have none of their own
+    std::optional<Density> density;  ///< instead of Document::density
 };
 
 struct Skin {

@@ -50,5 +50,26 @@ TEST(BoneRings, NameTheBoneAndWhereOnItTheyStand) {
     }
 }
 
+TEST(BoneRings, AreAsDenseAsIsAskedFor) {
+    const Stages s(star(fan(3), 40, 0.5));
+    const auto longest = [&](const StationOptions& options) {
+        const Stations stations =
+            make_stations(s.skeleton, s.network, s.polyhedra, s.refinement, s.surfaces, s.points, options);
+        double most = 0;
+        for (std::int32_t p = 0; p < s.network.path_count(); ++p)
+            for (std::int32_t i = stations.first[p] + 1; i < stations.first[p + 1]; ++i)
+                most = std::max(most, (stations.stations[i].centre - stations.stations[i - 1].centre).norm());
+        return most;
+    };
+    const double side = 2 * 0.5 * std::sin(M_PI / 4);  // of a ring of four
+    EXPECT_GT(longest({}), 30);
+    for (const double aspect : {1.0, 2.0, 5.0}) {
+        EXPECT_LE(longest({.aspect = aspect}), aspect * side + 1e-9);
+        EXPECT_GT(longest({.aspect = aspect}), 0.9 * aspect * side);
+    }
+    EXPECT_LE(longest({.edge_length = 0.3}), 0.3 + 1e-9);
+    EXPECT_LE(longest({.support = true, .aspect = 2}), 2 * side + 1e-9);
+}
+
 }  // namespace
 }  // namespace sinew::sqm

@@ -9,6 +9,7 @@
 
 #include "sinew/mesh/limit.h"
 #include "sinew/sqm/fit/fit_round_ends.h"
+#include "sinew/sqm/surface/blend.h"
 #include "sinew/sqm/surface/dents.h"
 
 namespace sinew::sqm {
@@ -62,8 +63,8 @@ struct Freedom {
     Vec3f lack =
         Vec3f::Zero();  ///< how far along the line, of what the limit lacks: the axis, or oblique to it
     bool in_plane = false;
-    float gain = 1;          ///< by how many times what is lacking
-    std::uint8_t steps = 0;  ///< and how often
+    float gain = 1;           ///< by how many times what is lacking
+    std::uint8_t steps = 0;   ///< and how often
     std::int32_t joint = -1;  ///< balanced over the faces round it, by the round cones of this joint
     std::uint32_t before = no_vertex,
                   after = no_vertex;  ///< the next one of the column, where the tube tapers
@@ -417,7 +418,8 @@ class Fitter {
             for (const std::uint32_t v : face) {
                 const std::int32_t joint = freedom_[v].joint;
                 if (joint < 0) continue;
-                (balanced.joint[0] < 0 || balanced.joint[0] == joint ? balanced.joint[0] : balanced.joint[1]) = joint;
+                (balanced.joint[0] < 0 || balanced.joint[0] == joint ? balanced.joint[0]
+                                                                     : balanced.joint[1]) = joint;
                 ++face_first_[v + 1];
             }
             if (balanced.joint[0] >= 0) faces_.push_back(balanced);
@@ -432,10 +434,7 @@ class Fitter {
     }
     double distance_to(std::int32_t joint, const Vec3& place) const {
         const Vec3 from = place - d_.skeleton.position[n_.joint_node[joint]];
-        double least = std::numeric_limits<double>::infinity();
-        for (std::int32_t slot = n_.slot_first[joint]; slot < n_.slot_first[joint + 1]; ++slot)
-            least = std::min(least, d_.surfaces.cone[slot].distance(from));
-        return least;
+        return blended_distance(n_, d_.surfaces, joint, from);
     }
     void measure_faces(std::span<const Vec3> control, std::span<const Vec3> limit) {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.size(), 512), [&](const auto& range) {
@@ -509,8 +508,9 @@ class Fitter {
         std::array<std::int32_t, 2> joint{-1, -1};
     };
     std::vector<BalancedFace> faces_;
-    std::vector<std::uint32_t> face_first_, faces_of_;  ///< balanced vertex -> its faces, as indices in faces_
-    std::vector<double> outside_;                       ///< how far the middles of faces_ are outside
+    std::vector<std::uint32_t> face_first_,
+        faces_of_;                           ///< balanced vertex -> its faces, as indices in faces_
+    std::vector<double> outside_;            ///< how far the middles of faces_ are outside
     std::vector<RingFactors> factors_;       ///< by the number of sides
     std::vector<std::int32_t> joint_sides_;  ///< joint -> of its path of fewest sides
 };

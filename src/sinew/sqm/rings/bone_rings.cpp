@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sinew/mesh/limit.h"
 #include "sinew/sqm/rings/ring_form.h"
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double steep = 0.45;  // sine of a cone's slope from which its round parts get rings of their own
 constexpr double very_steep = 0.85;
+constexpr double most_rings_a_gap =
+    10'000;  // however short the quads are to be: a bound of what one number can ask for
 
 /// How far the points of a node's ring lean over its bones. Control points of a smooth surface are further
 /// out than its radius, and lean over as much further; rings beside them that stood nearer would cross them.
@@ -76,6 +79,26 @@ void offer_steep(PathWork& w, std::int32_t bone, const ConeFrom& cone, double lo
     if (cone.sine < -very_steep) offer(cone.length + cone.far * half_slope);
 }
 
+/// Rings between those that are there, evenly, where quads would be longer than is asked for.
+void fill_gaps(PathWork& w, const ConeFrom& cone, double low, double high) {
+    const auto longest = [&](double from, double to) {
+        double length = std::numeric_limits<double>::infinity();
+        if (w.options.aspect > 0)
+            length = w.options.aspect * w.edge_of(std::min(cone.radius_at(from), cone.radius_at(to)));
+        if (w.options.edge_length > 0) length = std::min(length, w.options.edge_length);
+        return length;
+    };
+    const std::size_t stops = w.heights.size();
+    double from = low;
+    for (std::size_t i = 0; i <= stops; ++i) {
+        const double to = i < stops ? w.heights[i] : high, gap = to - from, most = longest(from, to);
+        const double pieces = std::ceil(gap / std::max(most, gap / most_rings_a_gap));
+        for (int k = 1; k < pieces; ++k) w.heights.push_back(from + k / pieces * gap);
+        from = to;
+    }
+    std::sort(w.heights.begin(), w.heights.end());
+}
+
 }  // namespace
 
 void add_bone_rings(PathWork& w, std::int32_t bone) {
@@ -103,6 +126,7 @@ void add_bone_rings(PathWork& w, std::int32_t bone) {
         w.is_shaped(bone) || w.is_shaped(bone + 1) || shaped_joint(w, bone) || shaped_joint(w, bone + 1);
     if (!shaped) offer_steep(w, bone, cone, low, high);
     if (w.heights.size() > 1) std::sort(w.heights.begin(), w.heights.end());
+    if (w.options.aspect > 0 || w.options.edge_length > 0) fill_gaps(w, cone, low, high);
     for (const double height : w.heights) {
         Station& ring = add_ring(w, w.position(bone) + height * cone.axis, w.way(bone),
                                  cone.radius_at(height), bone, height / cone.length);

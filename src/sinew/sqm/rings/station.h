@@ -73,6 +73,9 @@ struct StationOptions {
     /// Rings beside round ends and the bases of tips too, as there are beside joints: a smooth surface needs
     /// them to keep the radius from there on.
     bool support = false;
+    /// Rings that no quad of a tube is longer than so many times its width, or than this length; 0: no limit.
+    double aspect = 0;
+    double edge_length = 0;
 };
 
 /// Whether a ring may be pulled into the cell of the joint that a bone leaves: it is on the bone, or at the

@@ -121,6 +121,9 @@ JointSurfaces find_surfaces(const Plain& s, const Network& n) {
     surfaces.extra.resize(slots, -1);
     surfaces.body.resize(n.joint_count());
     surfaces.only_cones.assign(n.joint_count(), 1);
+    if (!s.blend.empty())
+        for (const std::int32_t node : n.joint_node)
+            surfaces.rolling.push_back(s.blend[node] * s.radius[node]);
     tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n.joint_count(), 64), [&](const auto& range) {
         for (std::int32_t j = range.begin(); j < range.end(); ++j) {
             const std::int32_t node = n.joint_node[j];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sinew/sqm/surface/blend.h"
 #include "sinew/sqm/surface/dents.h"
 
 namespace sinew::sqm {
@@ -12,7 +13,7 @@ double exit_of_joint(const Network& network, const JointSurfaces& surfaces, std:
         double distance = 0;
         for (std::int32_t slot = network.slot_first[joint]; slot < network.slot_first[joint + 1]; ++slot)
             distance = std::max(distance, surfaces.cone[slot].exit(ray));
-        return distance;
+        return blended_exit(network, surfaces, joint, ray, distance);
     }
     return press_dents(surfaces, joint, centre, ray, exit_without_dents(network, surfaces, joint, ray));
 }

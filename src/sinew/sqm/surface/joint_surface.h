@@ -54,7 +54,9 @@ struct JointSurfaces {
     std::vector<std::int32_t> pit_first;     ///< joint -> its first; joints + 1 entries, none without pits
     std::vector<std::int32_t> groove_first;  ///< joint -> the first of those more; none without pits
     std::vector<const Form*> body;           ///< joint -> its ball or box; null: round cones
-    std::vector<std::uint8_t> only_cones;    ///< joint -> it has no body, and all its slots add cones
+    std::vector<double>
+        rolling;  ///< joint -> radius of the ball that blends its cones; empty: none is blended
+    std::vector<std::uint8_t> only_cones;  ///< joint -> it has no body, and all its slots add cones
 };
 
 /// Where the ray from a joint's centre leaves its surface before any dent was pressed into it: the distance.
