@@ -64,5 +64,63 @@ TEST(Extend, FillsEveryArrayAndGivesEveryBoneALength) {
         EXPECT_GT(distance(plain.position[bone[0]], plain.position[bone[1]]), 0);
 }
 
+/// A dent in a ball of radius 1, `outside` above its surface.
+Plain dented(double outside, double radius) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 1, NodeType::ball);
+    add(d, 0, {0, 0, 1 + outside}, radius, NodeType::negative);
+    return extended(d);
+}
+
+TEST(ExtendPits, AreAsDeepAndWideAsDrawn) {
+    const Plain plain = dented(0.4, 0.3);
+    EXPECT_EQ(plain.cap[1], Cap::pit);
+    EXPECT_NEAR(plain.pit_depth[1], 0.4, 1e-12);
+    EXPECT_EQ(plain.form(1)->half.head<2>(), Vec2(0.3, 0.3));
+    EXPECT_LT(distance(plain.position[1], {0, 0, 1.4}), 1e-12);
+}
+
+TEST(ExtendPits, InsideTheirParentAreShallow) {
+    const Plain plain = dented(-0.5, 0.3);
+    EXPECT_NEAR(plain.pit_depth[1], 0.1 * 0.3, 1e-12);
+    EXPECT_LT(distance(plain.position[1], {0, 0, 1.03}), 1e-12) << "and are moved outside";
+}
+
+TEST(ExtendPits, LeaveAWallBehindAndRoundThem) {
+    EXPECT_NEAR(dented(5, 0.3).pit_depth[1], 0.85 * 2, 1e-12) << "of the thickness";
+    EXPECT_NEAR(dented(1.69, 0.3).pit_depth[1], 1.69, 1e-12);
+    EXPECT_EQ(dented(0.4, 3).form(1)->half.head<2>(), Vec2(0.9, 0.9)) << "of the radius";
+    EXPECT_EQ(dented(0.4, 0.99).form(1)->half.head<2>(), Vec2(0.99, 0.99));
+}
+
+TEST(Extend, TubesLeaveBallsWithTheRadiusOfTheirOtherEnd) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 1, NodeType::ball);
+    add(d, 0, {0, 0, 3}, 0.6);
+    add(d, 0, {0, 3, 0}, 5);
+    add(d, 0, {0.5, 0, 0}, 0.8);  // inside the ball
+    const Plain plain = extended(d);
+    std::vector<Vec3> rings;
+    for (std::int32_t i = 4; i < plain.node_count(); ++i)
+        if (plain.form(i)) rings.push_back(plain.position[i]);
+    ASSERT_EQ(rings.size(), 2u) << "none to the node inside";
+    EXPECT_LT(distance(rings[0], {0, 0, 0.8}), 1e-12) << "where the ball is 0.6 wide";
+    EXPECT_LT(distance(rings[1], {0, std::sqrt(1 - 0.9 * 0.9), 0}), 1e-12) << "0.9 of the ball at most";
+}
+
+TEST(Extend, BareAxesOfBallsGetBonesOfTheirOwn) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 1, NodeType::ball);
+    add(d, 0, {0, 0, 3}, 0.2);
+    const auto bare_axes = [](const Plain& plain) {
+        return std::count(plain.cap.begin(), plain.cap.end(), Cap::surface);
+    };
+    EXPECT_EQ(bare_axes(extended(d)), 5);
+    add(d, 0, 3 * Vec3(std::sin(49 * M_PI / 180), 0, -std::cos(49 * M_PI / 180)), 0.2);
+    EXPECT_EQ(bare_axes(extended(d)), 3) << "49 degrees from -z, and 41 from x";
+    d.nodes[2].position = 3 * Vec3(1, 1, -1).normalized();
+    EXPECT_EQ(bare_axes(extended(d)), 5) << "55 degrees from all";
+}
+
 }  // namespace
 }  // namespace sinew

@@ -62,12 +62,13 @@ class MirrorSearch {
         const Form *a = s_.form(i), *b = s_.form(j);
         if (!a || !b) return a == b;
         const auto reflected = [&](Vec3 v) { return v[axis_] = -v[axis_], v; };
-        const auto along = [](const Vec3& u, const Vec3& v) { return std::abs(u.dot(v)) > 1 - 1e-9; };
+        constexpr double rounding = 1e-9;  // frames and extents are computed; positions are compared exactly
+        const auto along = [](const Vec3& u, const Vec3& v) { return std::abs(u.dot(v)) > 1 - rounding; };
         const bool straight =
-            along(reflected(a->x), b->x) && (a->half - b->half).norm() <= 1e-9 * a->half.norm();
+            along(reflected(a->x), b->x) && (a->half - b->half).norm() <= rounding * a->half.norm();
         const Vec3 swapped(b->half.y(), b->half.x(), b->half.z());
         const bool crossed =
-            along(reflected(a->x), b->y) && (a->half - swapped).norm() <= 1e-9 * a->half.norm();
+            along(reflected(a->x), b->y) && (a->half - swapped).norm() <= rounding * a->half.norm();
         return along(reflected(a->z), b->z) && (straight || crossed) && a->section == b->section &&
                a->sharpness == b->sharpness;
     }
