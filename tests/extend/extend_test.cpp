@@ -122,5 +122,61 @@ TEST(Extend, BareAxesOfBallsGetBonesOfTheirOwn) {
     EXPECT_EQ(bare_axes(extended(d)), 5) << "55 degrees from all";
 }
 
+TEST(ExtendPits, AreMeasuredFromTheSurfaceOfWhatTheyArePressedInto) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 1, NodeType::ball).scale = {1, 1, 0.5};
+    add(d, 0, {0, 0, 0.9}, 0.2, NodeType::negative);
+    add(d, -1, {9, 0, 0}, 1, NodeType::cube).size = Vec3(2, 2, 3);
+    add(d, 2, {9, 0, 1.7}, 0.2, NodeType::negative);
+    const Plain plain = extended(d);
+    EXPECT_NEAR(plain.pit_depth[1], 0.4, 1e-12) << "an ellipsoid 0.5 high";
+    EXPECT_NEAR(plain.pit_depth[3], 0.2, 1e-12) << "a box 1.5 high";
+}
+
+TEST(ExtendCubes, RoundTubesEndOnAPlateHoweverWide) {
+    for (const double radius : {0.2, 0.5, 3.0}) {
+        Document d;
+        add(d, -1, {0, 0, 0}, radius, NodeType::cube).size = Vec3(1, 1, 1);
+        add(d, 0, {0, 0, 4}, radius);
+        const Plain plain = extended(d);
+        const auto plate = std::find(plain.bones[0].begin(), plain.bones[0].end(), 0) == plain.bones[0].end()
+                               ? plain.bones[0][0]
+                               : 0;
+        ASSERT_TRUE(plain.form(plate));
+        EXPECT_EQ(plain.form(plate)->section, Section::round);
+        EXPECT_NEAR(plain.form(plate)->half.x(), std::min(radius, 0.9 * 0.5), 1e-12);
+        EXPECT_NEAR(plain.position[plate].z(), 0.5, 1e-6) << "on the face";
+    }
+}
+
+TEST(ExtendCubes, ABallInsideOnAPathComesOutOfTheFace) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 0.2, NodeType::cube).size = Vec3(1, 1, 1);
+    add(d, 0, {0, 0, 0.2}, 0.2);
+    add(d, 1, {0, 0, 4}, 0.2);
+    EXPECT_NEAR(extended(d).position[1].z(), 0.5 + 0.2, 1e-6);
+}
+
+TEST(ExtendCubes, ABallInsideAtAnEndIsAPartOfTheFace) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 0.2, NodeType::cube).size = Vec3(1, 1, 1);
+    add(d, 0, {0, 0, 0.2}, 0.1);
+    const Plain plain = extended(d);
+    EXPECT_EQ(plain.cap[1], Cap::flat);
+    EXPECT_NEAR(plain.position[1].z(), 0.5, 1e-6);
+    d.nodes[1].position.z() = 0.45;  // and stands out of it where it reaches through
+    EXPECT_EQ(extended(d).cap[1], Cap::round);
+}
+
+TEST(Extend, ANegativeOnAPathIsABallLikeAnyOther) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 0.2);
+    add(d, 0, {0, 0, 2}, 0.3, NodeType::negative);
+    add(d, 1, {0, 0, 4}, 0.2);
+    const Plain plain = extended(d);
+    EXPECT_EQ(plain.form(1), nullptr);
+    EXPECT_EQ(plain.node_count(), 3);
+}
+
 }  // namespace
 }  // namespace sinew
