@@ -178,5 +178,69 @@ TEST(Extend, ANegativeOnAPathIsABallLikeAnyOther) {
     EXPECT_EQ(plain.node_count(), 3);
 }
 
+TEST(ExtendCubes, PlatesStandBeforeTheOtherEndAsFarAsTheyFit) {
+    for (const int axis : {0, 1}) {
+        Document d;
+        add(d, -1, {0, 0, 0}, 0.18, NodeType::cube).size = Vec3(1, 1, 1);
+        add(d, 0, {0, 0, 4}, 0.18);
+        const auto plate_at = [&](double aside) {
+            d.nodes[1].position[axis] = aside;
+            const Plain plain = extended(d);
+            return plain.position[plain.bones[0][0]][axis];
+        };
+        EXPECT_NEAR(plate_at(0.2), 0.2, 1e-9);
+        EXPECT_NEAR(plate_at(0.45), 0.3, 1e-9) << "0.18 / 0.9 from the edge";
+        EXPECT_NEAR(plate_at(-0.45), -0.3, 1e-9);
+        EXPECT_NEAR(plate_at(0.7), 0, 1e-9) << "not before the face at all";
+        d.nodes[0].radius = 0.47;
+        EXPECT_NEAR(plate_at(0.3), 0, 1e-9) << "no room to either side";
+    }
+}
+
+TEST(ExtendCubes, BeamsWiderThanTheFaceAreMadeToFitIt) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 0.2, NodeType::cube).size = Vec3(1, 1, 1);
+    Node& beam = add(d, 0, {0, 0, 4}, 0.4);
+    beam.section = Section::rectangular;
+    beam.scale = {2, 1, 1};
+    const Plain plain = extended(d);
+    const Form* plate = plain.form(plain.bones[0][0]);
+    ASSERT_TRUE(plate);
+    EXPECT_EQ(plate->section, Section::rectangular);
+    EXPECT_LT((plate->half.head<2>() - Vec2(0.98 * 0.5, 0.4)).norm(), 1e-12);
+}
+
+TEST(ExtendCubes, ASmallerCubeOnAFaceIsFlatWithIt) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 0.5, NodeType::cube);
+    add(d, 0, {0, 0, 0.75}, 0.25, NodeType::cube);
+    EXPECT_EQ(extended(d).bone_kind[0], BoneKind::body) << "on a joint, the root";
+    add(d, 1, {0, 0, 1.125}, 0.125, NodeType::cube);
+    EXPECT_EQ(extended(d).bone_kind[1], BoneKind::plate) << "on a path";
+}
+
+TEST(Extend, LoneNodesAreBallsAndBoxesOfTheirScale) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 1);
+    add(d, -1, {5, 0, 0}, 2).scale = {1, 2, 3};
+    add(d, -1, {20, 0, 0}, 2).section = Section::rectangular;
+    const Plain plain = extended(d);
+    EXPECT_EQ(plain.form(0), nullptr);
+    EXPECT_EQ(plain.form(1)->kind, Form::Kind::ball);
+    EXPECT_EQ(plain.form(1)->half, Vec3(2, 4, 6));
+    EXPECT_EQ(plain.form(2)->kind, Form::Kind::box);
+}
+
+TEST(Extend, SoftJointsHaveAFormToo) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 1);
+    add(d, 0, {0, 0, 4}, 1).joint = 0.5;
+    add(d, 1, {0, 0, 8}, 1);
+    const Plain plain = extended(d);
+    ASSERT_TRUE(plain.form(1));
+    EXPECT_EQ(plain.form(1)->sharpness, 0.5);
+    EXPECT_EQ(plain.form(0), nullptr);
+}
+
 }  // namespace
 }  // namespace sinew

@@ -63,6 +63,7 @@ TEST(FindMirror, ComparesOutlines) {
     EXPECT_EQ(order_with([](Node&) {}), 2);
     EXPECT_EQ(order_with([](Node& node) { node.section = Section::rectangular; }), 1);
     EXPECT_EQ(order_with([](Node& node) { node.joint = 2; }), 1);
+    EXPECT_EQ(order_with([](Node& node) { node.joint = 0, node.scale = {1, 1, 1}; }), 1) << "has none";
     EXPECT_EQ(order_with([](Node& node) { node.scale = {1, 2, 1}; }), 1);
     EXPECT_EQ(order_with([](Node& node) { node.scale = {2, 1.001, 1}; }), 1);
     EXPECT_EQ(order_with([](Node& node) { node.roll = 30; }), 1);
