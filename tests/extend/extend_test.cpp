@@ -78,6 +78,20 @@ TEST(ExtendPits, AreAsDeepAndWideAsDrawn) {
     EXPECT_NEAR(plain.pit_depth[1], 0.4, 1e-12);
     EXPECT_EQ(plain.form(1)->half.head<2>(), Vec2(0.3, 0.3));
     EXPECT_LT(distance(plain.position[1], {0, 0, 1.4}), 1e-12);
+    EXPECT_EQ(plain.form(1)->sides, 8);
+}
+
+TEST(ExtendPits, MakeAJointOfTheLimbThatTheyArePressedInto) {
+    Document d;
+    add(d, -1, {0, 0, -4}, 1);
+    add(d, 0, {0, 0, 0}, 1);
+    add(d, 1, {0, 0, 4}, 1);
+    add(d, 1, {0, 1.3, 0}, 0.3, NodeType::negative);
+    const Plain plain = extended(d);
+    ASSERT_TRUE(plain.form(1));
+    EXPECT_EQ(plain.form(1)->kind, Form::Kind::blend);
+    EXPECT_EQ(plain.form(1)->sides, 8);
+    EXPECT_EQ(std::count(plain.cap.begin(), plain.cap.end(), Cap::surface), 3) << "its other bare sides";
 }
 
 TEST(ExtendPits, InsideTheirParentAreShallow) {
