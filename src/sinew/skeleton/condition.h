@@ -29,8 +29,7 @@ struct ConditionOptions {
     /// there are 47; from 0.1 to 0.4 nothing changes: it is in the middle.
     double together = 0.2;
     /// Least distance along a run of nodes, as a multiple of the larger radius. Without it there are 55, with
-    /// 0.3 50, with 0.45 47; 1 would leave 43, and three times as much of what was
-    /// measured would be lost (vertices of the mesh).
+    /// 0.3 50, with 0.45 47; 1 would leave 43, and take three times as many vertices away as 0.6 does.
     double spacing = 0.6;
 };
 
