@@ -91,6 +91,9 @@ TEST(Cube, LetsABeamAsLargeAsItsFaceGoOnFlush) {
         EXPECT_GE(std::max(std::abs(p.x()) / 0.5, std::abs(p.y()) / 0.3), -1e-6);
     EXPECT_TRUE(skin.mesh.features.circles.empty());  // no round tube, no shoulder
     for (const double x : {-0.5, 0.5}) EXPECT_TRUE(has_vertex(skin.mesh, {x, 0.3, 2}));
+    d.nodes[1].type = NodeType::sphere;
+    add(d, 1, {0, 0, 4}, 0.2);  // the same where the beam goes on
+    EXPECT_TRUE(solid(d).mesh.features.circles.empty());
 }
 
 TEST(Cube, HasRoomForATubeNearlyAsWideAsItsFace) {

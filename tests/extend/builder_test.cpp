@@ -68,6 +68,16 @@ TEST(Builder, NegativesAreDentsAtLeavesOnly) {
     EXPECT_FALSE(b.builder.is_pit(3)) << "has none";
 }
 
+TEST(Builder, NegativesAreDentsInWhateverOrderTheyAreWritten) {
+    Document d;
+    add(d, -1, {0, 0, 0}, 1);
+    add(d, 2, {0, 0, 4}, 1, NodeType::negative);
+    add(d, 0, {0, 0, 2}, 1, NodeType::negative);  // has two bones
+    const Built b(d);
+    EXPECT_TRUE(b.builder.is_pit(1));
+    EXPECT_FALSE(b.builder.is_pit(2));
+}
+
 TEST(Builder, TheFirstBoneIsThatToTheParent) {
     Document d;
     add(d, -1, {0, 0, 0}, 0.2);

@@ -35,6 +35,19 @@ TEST(Contacts, EqualCubesThatTouchAreOneBeam) {
     expect_solid(d, 3);
 }
 
+TEST(Contacts, DoNotDependOnTheOrderOfTheFile) {
+    double volume[2];
+    for (const bool reversed : {false, true}) {
+        Document d;  // a tube, and two cubes that a path runs through
+        add(d, -1, {0, 0, -3}, 0.2);
+        const int near = reversed ? 2 : 1;
+        for (int i = 1; i <= 2; ++i) cube(d, i == near ? 0 : near, {0, 0, i == near ? 0.0 : 1.0}, {1, 1, 1});
+        volume[reversed] = measure(solid(d).mesh).volume;
+    }
+    EXPECT_GT(volume[0], 2);
+    EXPECT_NEAR(volume[0], volume[1], 1e-6);
+}
+
 TEST(Contacts, CubesRoundACubeAreOneSolid) {
     Document d;
     cube(d, -1, {0, 0, 0}, {1, 1, 1});

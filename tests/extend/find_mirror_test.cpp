@@ -53,6 +53,24 @@ TEST(FindMirror, ComparesTypesAndBones) {
     EXPECT_EQ(mirror_of(d).order, 1);
 }
 
+TEST(FindMirror, ComparesOutlines) {
+    const auto order_with = [](const auto& dress) {
+        Document d = pair_of_limbs();
+        for (Node* node : {&d.nodes[2], &d.nodes[3]}) node->joint = 1, node->scale = {2, 1, 1};
+        dress(d.nodes[2]);
+        return mirror_of(d).order;
+    };
+    EXPECT_EQ(order_with([](Node&) {}), 2);
+    EXPECT_EQ(order_with([](Node& node) { node.section = Section::rectangular; }), 1);
+    EXPECT_EQ(order_with([](Node& node) { node.joint = 2; }), 1);
+    EXPECT_EQ(order_with([](Node& node) { node.joint = 0, node.scale = {1, 1, 1}; }), 1) << "has none";
+    EXPECT_EQ(order_with([](Node& node) { node.scale = {1, 2, 1}; }), 1);
+    EXPECT_EQ(order_with([](Node& node) { node.scale = {2, 1.001, 1}; }), 1);
+    EXPECT_EQ(order_with([](Node& node) { node.roll = 30; }), 1);
+    EXPECT_EQ(order_with([](Node& node) { node.roll = 180; }), 2) << "the same ellipse";
+    EXPECT_EQ(order_with([](Node& node) { node.roll = 90, node.scale = {1, 2, 1}; }), 2) << "the same across";
+}
+
 TEST(FindMirror, TakesThePlaneOfAFlatSkeletonWhereNoOtherFits) {
     Document d = pair_of_limbs();
     for (Node& node : d.nodes) node.position.z() = 0;

@@ -36,6 +36,16 @@ TEST(Files, WhatIsWrittenIsReadBack) {
     EXPECT_THAT(entries(folder.path()), testing::ElementsAre("a.sinew"));
 }
 
+TEST(Files, WhatDoesNotKnowItsSizeIsReadToItsEnd) {
+    const std::string path = "/proc/cpuinfo";  // of size 0, as the file system has it
+    std::ifstream stream(path);
+    if (!stream) GTEST_SKIP() << "there is no " << path;
+    const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    ASSERT_GT(text.size(), 1u);
+    EXPECT_EQ(lines(read_file(path).value()), lines(text));
+}
+
 TEST(Files, AFileLimitLeavesTheOldFileWhole) {
     TemporaryFolder folder;
     const std::string path = folder / "old.obj";

@@ -59,6 +59,17 @@ TEST(Obj, LineEndsOfAllSystems) {
         EXPECT_EQ(error_text(parse_obj(text, "a.obj")), "");
 }
 
+TEST(Obj, ABackslashJoinsLinesWhateverTheirEnd) {
+    const QuadMesh whole = *parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj");
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        const std::string text =
+            "v 0 \\" + end + "0 0\nv 1 0 0\nv 0 1 0\nf 1 \\" + end + "2\\" + end + " 3\n";
+        const auto read = parse_obj(text, "a.obj");
+        ASSERT_EQ(error_text(read), "");
+        expect_same_mesh(*read, whole);
+    }
+}
+
 TEST(Obj, MalformedFilesAreRefusedWithTheirPlace) {
     const std::string good = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     const std::pair<std::string, std::string> cases[] = {

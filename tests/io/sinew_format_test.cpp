@@ -86,6 +86,21 @@ TEST(SinewFormat, RefusesABlendAndADensityOutOfRange) {
 
 TEST(SinewFormat, SavingKeepsEveryKey) { EXPECT_EQ(json::parse(saved(every_key)), json::parse(every_key)); }
 
+TEST(SinewFormat, WhatAProgramMadeIsWrittenWithoutBeingAskedFor) {
+    Document made{.unit = "mm"};
+    made.nodes.push_back(
+        {.id = 4, .position = Vec3(1, 2, 3), .radius = 2, .scale = {1, 2, 3}, .roll = 15, .joint = 2.5});
+    made.nodes.push_back(
+        {.id = 5, .parent = 0, .position = Vec3(1, 2, 9), .radius = 1, .section = Section::rectangular});
+    const Document read = parse_sinew(print_sinew(made).value().text).value().document;
+    EXPECT_EQ(read.unit, "mm");
+    ASSERT_EQ(read.nodes.size(), 2u);
+    EXPECT_EQ(read.nodes[0].scale, made.nodes[0].scale);
+    EXPECT_EQ(read.nodes[0].roll, 15);
+    EXPECT_EQ(read.nodes[0].joint, 2.5);
+    EXPECT_EQ(read.nodes[1].section, Section::rectangular);
+}
+
 TEST(SinewFormat, SavingTwiceGivesTheSameBytes) { EXPECT_EQ(saved(saved(every_key)), saved(every_key)); }
 
 TEST(SinewFormat, TheTextIsANodeALine) {

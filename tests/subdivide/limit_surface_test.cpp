@@ -43,6 +43,16 @@ TEST(LimitSurface, IsTheSameFromEveryLevel) {
     }
 }
 
+TEST(LimitSurface, RoundUnevenPolesIsTheSameFromEveryLevel) {
+    for (const std::size_t valence : {3u, 5u, 8u}) {
+        QuadMesh mesh = shapes::tube(3, valence);
+        for (std::size_t v = 0; v < mesh.vertex_count(); ++v)  // no two spokes alike
+            mesh.positions[v] +=
+                0.2f * Vec3f(std::sin(2.0f * float(v)), std::cos(3.0f * float(v)), std::sin(5.0f * float(v)));
+        expect_one_limit(mesh);
+    }
+}
+
 TEST(LimitSurface, OfCirclesDiscsConesAndBoxesIsWhereTheyAre) {
     // Finer vertices beside a circle see it better, so only what has no circle beside it has one limit.
     for (const QuadMesh& mesh : {shapes::flat_tube(4, 6), shapes::cone(7, 2), shapes::box()}) {

@@ -88,6 +88,34 @@ TEST(Subdivider, FollowsMovedCircles) {
     EXPECT_EQ(subdivider->mesh().positions, subdivide(tube, {.levels = 2})->positions);
 }
 
+TEST(Subdivider, FollowsMovedPlanes) {
+    QuadMesh box = shapes::box();
+    auto subdivider = Subdivider::build(box, {.levels = 2});
+    const Eigen::Matrix3f turn = Eigen::AngleAxisf(0.3f, Vec3f(1, 2, 3).normalized()).toRotationMatrix();
+    for (Vec3f& p : box.positions) p = turn * p + Vec3f(5, 6, 7);
+    for (Plane& plane : box.features.planes)
+        plane.point = turn * plane.point + Vec3f(5, 6, 7), plane.normal = turn * plane.normal;
+    ASSERT_TRUE(subdivider->refine(box));
+    EXPECT_EQ(subdivider->mesh().positions, subdivide(box, {.levels = 2})->positions);
+    for (const Plane& plane : subdivider->mesh().features.planes)
+        for (const std::uint32_t f : plane.faces)
+            for (const std::uint32_t v : subdivider->mesh().face(f))
+                EXPECT_NEAR((subdivider->mesh().positions[v] - plane.point).dot(plane.normal), 0, 4e-6);
+}
+
+TEST(Subdivide, PutsTheRimsOfTheControlMeshOnTheirCircles) {
+    const QuadMesh tube = shapes::flat_tube(3, 6);
+    QuadMesh worn = tube;  // the rim is not quite where its circle says
+    for (const Circle& circle : worn.features.circles)
+        for (const MeshEdge& edge : circle.edges) {
+            Vec3f& p = worn.positions[edge[0]];
+            p.head<2>() *= edge[0] % 2 ? 1.02f : 0.97f;
+        }
+    const QuadMesh finer = *subdivide(tube, {.levels = 2}), same = *subdivide(worn, {.levels = 2});
+    for (std::size_t v = 0; v < finer.vertex_count(); ++v)
+        EXPECT_LT((finer.positions[v] - same.positions[v]).norm(), 1e-5f) << v;
+}
+
 TEST(Subdivide, NoLevelGivesTheMeshBack) {
     const QuadMesh mesh = mixture();
     const QuadMesh same = *subdivide(mesh, {.levels = 0});

@@ -74,7 +74,7 @@ class Changes(unittest.TestCase):
 
     def test_of_code_only(self):
         for line in ('#include "a<1.h"', "// a + 1", "/* a < 2 */", 'f("a < 3 && b");', "v.reserve(4 + n);", "assert(a < 5);",
-                     "static_assert(n == 6);", "Vec<7> v;", "progress(0.5);", 'return fail(Error{.line = 3});', "void f(int&& a);"):
+                     "static_assert(n == 6);", "Vec<7> v;", "std::array<Vec, 3> v;", "progress(0.5);", 'return fail(Error{.line = 3});', "void f(int&& a);"):
             found = [s for s in self.said(line + "\n") if line != 'f("a < 3 && b");' or "dropped" not in s]
             self.assertEqual(found, [], line)
 

@@ -143,7 +143,8 @@ class Finder:
 
     def number(self, token, before, after):
         now = other_number(token.text)
-        if now is None or before.text in ("<", "case") and after.text in (">", ":", ","):
+        in_template = self.text[token.end] == ">" or before.text == "<" and after.text == ","
+        if now is None or in_template or before.text == "case":
             return
         self.add(token, token, now, f"{token.text} -> {now}", switched=f"{SPACE}pick(@, {token.text}, {now})")
 

@@ -7,8 +7,9 @@
 namespace sinew {
 namespace {
 
-constexpr double hair =
-    1e-6;  // of the radius: nodes at distance zero are put that far apart, so that bones have directions
+// Of the radius: nodes at distance zero are put that far apart, so that bones have directions. Those that
+// were drawn a thousandth of that apart, which is near to what double precision can tell, count as such.
+constexpr double hair = 1e-6, no_distance = 1e-3 * hair;
 
 }  // namespace
 
@@ -32,7 +33,7 @@ PlainBuilder::PlainBuilder(const Document& document, const CleanGraph& graph, Wa
 void PlainBuilder::part_coincident() {
     for (const Bone& bone : graph_.bones) {
         const auto [a, b] = bone;
-        if ((position_[a] - position_[b]).norm() > hair * 1e-3 * std::max(radius(a), radius(b))) continue;
+        if ((position_[a] - position_[b]).norm() > no_distance * std::max(radius(a), radius(b))) continue;
         Vec3 along = Vec3::UnitZ();  // on from the bone before, if there is one
         for (const std::int32_t before : adjacency_.bones(a)) {
             const Vec3 v = position_[a] - position_[other(before, a)];

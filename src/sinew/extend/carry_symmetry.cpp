@@ -6,6 +6,10 @@
 namespace sinew {
 namespace {
 
+// Of the model's extent: how far a node may be from the image that it was made to be, after a turn by sine
+// and cosine.
+constexpr double rounding = 1e-9;
+
 /// Plain nodes by the document's node that they came from.
 class BySource {
   public:
@@ -43,7 +47,7 @@ Automorphism carry_symmetry(const Plain& s, const Mat3& generator, std::int32_t 
     for (std::int32_t i = 0; i < s.node_count(); ++i) {
         const Vec3 place = generator * s.position[i];
         const std::int32_t j = nodes.nearest(s, image[s.source_node[i]], place);
-        if (j < 0 || taken[j] || (s.position[j] - place).norm() > 1e-9 * extent || s.cap[i] != s.cap[j])
+        if (j < 0 || taken[j] || (s.position[j] - place).norm() > rounding * extent || s.cap[i] != s.cap[j])
             return {};
         taken[j] = 1;
         result.image.push_back(j);

@@ -45,7 +45,7 @@ struct Outline {
 };
 Outline outline_in(const Face& face, const Face& frame) {
     const Vec3 offset = face.middle - frame.middle;
-    const bool along = std::abs(face.frame.x.dot(frame.frame.x)) > 0.5;
+    const bool along = std::abs(face.frame.x.dot(frame.frame.x)) > 0.5;  // which is 0 or 1 here
     return {offset.dot(frame.frame.x), offset.dot(frame.frame.y), along ? face.half_x : face.half_y,
             along ? face.half_y : face.half_x};
 }

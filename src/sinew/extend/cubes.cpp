@@ -11,11 +11,24 @@
 namespace sinew {
 namespace {
 
-constexpr double plate_gap =
-    1e-7;  // of the face: how far a tube's end stands before the face, so that bones have a length
-constexpr double widest_beam = 0.98;  // of a face's smaller half extent
-constexpr double widest_tube = 0.9;   // the same for round tubes, which bulge between their vertices
-constexpr double fork_height = 1.2;   // of a tube's radius
+// Of the face: how far a tube's end stands before it, so that bones have a length; as little as single
+// precision holds.
+constexpr double plate_gap = 1e-7;
+
+// Of a face's smaller half extent. A beam is straight, and leaves a ledge twice as wide as what is flush is
+// off by; a round tube bulges between its vertices, and with 0.9 has its 12 vertices inside the face
+// (sides_beside_edge; at 0.93 it takes 16).
+constexpr double widest_beam = 0.98, widest_tube = 0.9;
+
+// How far the beam to a neighbour may be from its face and still be flush with it: in size, as a share of the
+// face, as contacts.cpp has it for cubes; in direction, as a cosine, 37 degrees. The beam comes from that
+// face and no other, and is turned to it: a side that it is nearer to (beyond 45 degrees) would be as good.
+constexpr double same_size = 0.01, same_way = 0.8;
+
+// Of a tube's radius, above the face: where the bones through it part. Their ball is clear of the face by a
+// fifth, the least that leaves room for a ring: the higher, the fewer tubes cross beside it (21 of 240 random
+// cubes; 17 with 2), and the farther the limbs part from where they were drawn.
+constexpr double fork_height = 1.2;
 
 /// Whether the beam to a neighbour is as large as the face that it leaves through, so that there is no
 /// shoulder.
@@ -24,17 +37,18 @@ bool is_flush(const PlainBuilder& b, std::int32_t neighbour, const Face& face) {
     if (drawn.type == NodeType::cube || drawn.section != Section::rectangular || b.degree(neighbour) > 2)
         return false;
     const Form beam = section_form(b, neighbour);
-    if (std::abs(beam.z.dot(face.frame.z)) < 0.8) return false;
+    if (std::abs(beam.z.dot(face.frame.z)) < same_way) return false;
     const bool along = std::abs(beam.x.dot(face.frame.x)) > std::abs(beam.x.dot(face.frame.y));
     const double x = along ? beam.half.x() : beam.half.y(), y = along ? beam.half.y() : beam.half.x();
-    return std::abs(x - face.half_x) < 0.01 * face.half_x && std::abs(y - face.half_y) < 0.01 * face.half_y;
+    return std::abs(x - face.half_x) < same_size * face.half_x &&
+           std::abs(y - face.half_y) < same_size * face.half_y;
 }
 
 /// Vertices that a circle needs beside an edge. Subdivision moves the middles of its chords out to the
 /// circle, by a sagitta at first, by twice that in the end (each level halves the room and quarters the
 /// sagitta), and they must not reach the edge.
 std::int32_t sides_beside_edge(double radius, double to_edge) {
-    constexpr double enough = 0.4;  // of the room
+    constexpr double enough = 0.4;  // of the room: twice that leaves a fifth of it
     for (std::int32_t sides = 4; sides < 16; sides += 4)
         if (radius * (1 - std::cos(M_PI / sides)) <= enough * (to_edge - radius)) return sides;
     return 16;

@@ -32,9 +32,9 @@ class MirrorSearch {
         Vec3 p = s_.position[i];
         if (reflected) p[axis_] = -p[axis_];
         const Form* form = s_.form(i);
-        return {p.x() + 0.0,
-                p.y() + 0.0,
-                p.z() + 0.0,
+        return {p.x(),
+                p.y(),
+                p.z(),
                 s_.radius[i],
                 static_cast<double>(s_.cap[i]),
                 s_.pit_depth[i],
@@ -57,17 +57,19 @@ class MirrorSearch {
         if (at == sorted_.end() || at->first != wanted) return -1;
         return at + 1 != sorted_.end() && at[1].first == wanted ? -1 : at->second;
     }
-    /// The outlines, which do not change when an axis is turned round, must be each other's reflection.
+    /// The outlines, which do not change when an axis is turned round, must be each other's reflection. Both
+    /// nodes have the same key: both have a form, or none.
     bool forms_match(std::int32_t i, std::int32_t j) const {
         const Form *a = s_.form(i), *b = s_.form(j);
-        if (!a || !b) return a == b;
+        if (!a) return true;
         const auto reflected = [&](Vec3 v) { return v[axis_] = -v[axis_], v; };
-        const auto along = [](const Vec3& u, const Vec3& v) { return std::abs(u.dot(v)) > 1 - 1e-9; };
+        constexpr double rounding = 1e-9;  // frames and extents are computed; positions are compared exactly
+        const auto along = [](const Vec3& u, const Vec3& v) { return std::abs(u.dot(v)) > 1 - rounding; };
         const bool straight =
-            along(reflected(a->x), b->x) && (a->half - b->half).norm() <= 1e-9 * a->half.norm();
+            along(reflected(a->x), b->x) && (a->half - b->half).norm() <= rounding * a->half.norm();
         const Vec3 swapped(b->half.y(), b->half.x(), b->half.z());
         const bool crossed =
-            along(reflected(a->x), b->y) && (a->half - swapped).norm() <= 1e-9 * a->half.norm();
+            along(reflected(a->x), b->y) && (a->half - swapped).norm() <= rounding * a->half.norm();
         return along(reflected(a->z), b->z) && (straight || crossed) && a->section == b->section &&
                a->sharpness == b->sharpness;
     }
