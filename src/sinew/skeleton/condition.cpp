@@ -357,7 +357,8 @@ class Repair {
     /// Where the tube of a bone comes out of the ball at one of its ends, if a node of its own was merged into
     /// that, and its radius there. None where the tube would be as wide without.
     std::optional<Ball> foot(std::size_t b, int k) const {
-        const std::int32_t swallowed = foot_[b][k], ball = bones_[b][k], beyond = bones_[b][1 - k];
+        const std::int32_t swallowed = foot_[b][k], ball = bones_[b][k];
+        const std::int32_t beyond = foot_[b][1 - k] >= 0 ? foot_[b][1 - k] : bones_[b][1 - k];
         if (swallowed < 0 || swallowed == ball) return std::nullopt;
         const Vec3 from = position(swallowed), way = position(beyond) - from, in = from - position(ball);
         const double length = way.norm(), reach = out_of_ball * radius(ball);

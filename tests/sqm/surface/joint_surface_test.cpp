@@ -2,6 +2,7 @@
 
 #include "sinew/mesh/intersect.h"
 #include "sinew/sqm/skin.h"
+#include "sinew/sqm/surface/joint_reach.h"
 #include "sqm/stages.h"
 
 namespace sinew::sqm {

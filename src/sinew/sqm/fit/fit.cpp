@@ -343,12 +343,18 @@ class Fitter {
                 const double length = (leeway_[a].start - leeway_[b].start).norm();
                 for (const std::uint32_t v : {a, b}) {
                     const bool of_ring = group[v] < rings;
-                    if (of_ring && group[a] == group[b]) continue;
+                    if ((of_ring && group[a] == group[b]) || !is_limited(v, of_ring ? group[v] : -1)) continue;
                     leeway_[v].far =
                         std::min(leeway_[v].far, (of_ring ? most_of_column : most_of_edge) * length);
                 }
             }
         }
+    }
+    /// Balls, dents and lone nodes are round by themselves, and may need all that they ask for.
+    bool is_limited(std::uint32_t v, std::int32_t ring) const {
+        if (ring < 0) return freedom_[v].joint >= 0;
+        const RingShape shape = d_.stations.stations[ring].shape;
+        return shape == RingShape::follow ? freedom_[v].joint >= 0 : shape != RingShape::pit;
     }
     Vec3 within_leeway(std::size_t v, const Vec3& point) const {
         const Leeway& leeway = leeway_[v];
@@ -408,6 +414,15 @@ class Fitter {
         }
     }
 
+    /// What lies in a plane or on a crease stays there: its places are not those of the round cones alone.
+    void leave_features_alone() {
+        const Features& features = b_.mesh.features;
+        for (const Crease& crease : features.creases)
+            for (const std::uint32_t v : crease.edge) freedom_[v].joint = -1;
+        for (const Plane& plane : features.planes)
+            for (const std::uint32_t f : plane.faces)
+                for (const std::uint32_t v : b_.mesh.face(f)) freedom_[v].joint = -1;
+    }
     /// The faces that touch a balanced vertex, and those round each of these.
     void find_balanced() {
         faces_.clear();
@@ -471,6 +486,7 @@ class Fitter {
         if (moving.empty()) return control;
         const std::vector<std::int32_t> group = groups();
         limit_by_edges(group);
+        leave_features_alone();
         find_balanced();
         for (int step = 0; step < fit_steps; ++step) {
             limit_positions(stencils, std::span<const Vec3>(control), limit);
