@@ -19,6 +19,14 @@
 namespace sinew::sqm {
 namespace {
 
+// How far the ring of a bend may lean over a bone, of the bone's length:
+constexpr double to_next_bend =
+    0.49;                         // to the middle, but for 2 % that stay between it and the ring from there
+constexpr double to_joint = 0.5;  // to the middle: the other half is the joint's, however far that reaches
+// and of the straight side of a bone to a round end, which may be short:
+constexpr double to_round_end = 0.9;
+constexpr double least_side = 0.1;  // of the bone's length, where the end's ball swallows all of the side
+
 class Placer {
   public:
     Placer(const Parts& parts, const PlaceOptions& options, Bridge& bridge)
@@ -119,10 +127,11 @@ class Placer {
     /// comes from the other node too, and not to the rings of a round end. Further, both would cross.
     double room_of(std::int32_t p, std::int32_t other, const ConeFrom& bone) const {
         const auto nodes = n_.nodes(p);
-        if (n_.path_closed[p] || (other != nodes.front() && other != nodes.back())) return 0.49 * bone.length;
+        if (n_.path_closed[p] || (other != nodes.front() && other != nodes.back()))
+            return to_next_bend * bone.length;
         const int end = other == nodes.front() ? 0 : 1;
-        if (n_.path_end[p][end].at_joint()) return 0.5 * bone.length;
-        return 0.9 * std::clamp(bone.side_end(), 0.1 * bone.length, bone.length);
+        if (n_.path_end[p][end].at_joint()) return to_joint * bone.length;
+        return to_round_end * std::clamp(bone.side_end(), least_side * bone.length, bone.length);
     }
     static Vec3 ellipse(const Station& ring, const Vec3& ray) {
         if (ring.half.x() == ring.half.y()) return ring.half.x() * ray;
