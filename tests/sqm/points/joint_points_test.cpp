@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "sinew/sqm/surface/joint_reach.h"
 #include "sqm/stages.h"
 
 namespace sinew::sqm {
