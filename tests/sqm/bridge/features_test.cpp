@@ -68,6 +68,37 @@ TEST(Features, OfABoxAreItsEdgesCornersAndSides) {
     EXPECT_EQ(covered.size(), mesh.face_count());
 }
 
+/// A beam that gets thinner and wider again in steps, and a tube that stands on a box.
+TEST(Features, PlanesLookOutOfTheSolid) {
+    Document steps;
+    for (int i = 0; i < 3; ++i) {
+        Node& node = steps.nodes[add(steps, i - 1, {2.0 * i, 0, 0}, 0.5)];
+        node.type = NodeType::cube;
+        node.size = i == 1 ? Vec3(2, 1, 1) : Vec3(2, 2, 2);
+    }
+    Document post;
+    add(post, -1, {0, 0, 0}, 0.3);
+    post.nodes[0].type = NodeType::cube;
+    post.nodes[0].size = Vec3(2, 2, 2);
+    add(post, 0, {0, 0, 5}, 0.3);
+    int plates = 0;
+    for (const Document& d : {steps, post}) {
+        const Stages s(d);
+        for (const Station& ring : s.stations.stations) plates += ring.to_next == BoneKind::plate;
+        const QuadMesh mesh = finished(d);
+        EXPECT_FALSE(mesh.features.planes.empty());
+        for (const Plane& plane : mesh.features.planes)
+            for (const std::uint32_t f : plane.faces) {
+                const auto face = mesh.face(f);
+                Vec3f area = Vec3f::Zero();
+                for (std::size_t k = 0; k < face.size(); ++k)
+                    area += mesh.positions[face[k]].cross(mesh.positions[face[(k + 1) % face.size()]]);
+                EXPECT_NEAR(area.normalized().dot(plane.normal), 1, 1e-4);
+            }
+    }
+    EXPECT_GT(plates, 1);
+}
+
 TEST(Features, OfASharpJointAreTheEdgesOfItsRing) {
     Document d = chain(std::vector<Vec3>{{0, 0, 0}, {4, 0, 0}, {8, 1, 0}}, 0.5);
     d.nodes[1].joint = 3;

@@ -88,6 +88,36 @@ TEST(Place, RingsOfTightBendsDoNotCross) {
     }
 }
 
+/// Where both ends of a bone have a ring at a bend, neither leans over the bone to its middle.
+TEST(Place, RingsOfBendsShareTheBoneBetweenThem) {
+    property::Random random(29);
+    int held = 0;
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Ball> balls{{-1, {0, 0, 0}, random.between(0.4, 0.9)}};
+        for (int i = 0; i < 4; ++i)
+            balls.push_back({i, balls.back().position + random.direction(), random.between(0.4, 0.9)});
+        const Stages s(tree(balls));
+        Bridge b = bridge(s.parts()).value();
+        place(s.parts(), {}, b);
+        for (std::int32_t i = 0; i < s.ring_count(0); ++i) {
+            const Station& ring = s.stations.stations[i];
+            if (ring.shape != RingShape::node) continue;
+            const auto nodes = s.network.nodes(0);
+            for (const std::int32_t next : {ring.before, ring.after}) {
+                if (next == nodes.front() || next == nodes.back()) continue;
+                const Vec3 bone = s.skeleton.position[next] - ring.centre;
+                for (std::int32_t k = 0; k < s.refinement.path_sides[0]; ++k) {
+                    const Vec3 at =
+                        b.mesh.positions[first_of_ring(s.parts(), b, 0, i) + k].cast<double>() - ring.centre;
+                    EXPECT_LT(at.dot(bone) / bone.squaredNorm(), 0.5);
+                    held += at.dot(bone) / bone.squaredNorm() > 0.48;
+                }
+            }
+        }
+    }
+    EXPECT_GT(held, 10) << "that some would lean further";
+}
+
 TEST(Place, VerticesOfTreesLieOnTheRoundCones) {
     property::Random random(27);
     for (int round = 0; round < 10; ++round) {

@@ -2,6 +2,7 @@
 
 #include "sinew/mesh/intersect.h"
 #include "sinew/sqm/skin.h"
+#include "sinew/sqm/surface/joint_reach.h"
 #include "sqm/stages.h"
 
 namespace sinew::sqm {
@@ -83,17 +84,6 @@ TEST(JointSurface, EndsAtTheNextNode) {
         const auto skin = sinew::skin(d);
         ASSERT_TRUE(skin);
         EXPECT_TRUE(find_self_intersections(skin->mesh)->empty());
-    }
-}
-
-TEST(JointSurface, OfConesIsTheirUnion) {
-    property::Random random(14);
-    const Stages s(star(random_directions(random, 5), 4, 0.5));
-    for (int i = 0; i < 100; ++i) {
-        const Vec3 ray = random.direction();
-        double expected = 0;
-        for (const ConeFrom& cone : s.surfaces.cone) expected = std::max(expected, cone.exit(ray));
-        EXPECT_EQ(exit_of_joint(s.network, s.surfaces, 0, Vec3::Zero(), ray), expected);
     }
 }
 
