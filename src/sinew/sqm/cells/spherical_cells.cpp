@@ -15,10 +15,12 @@ namespace sinew::sqm {
 namespace {
 
 /// Radians between two directions: closer ones are pushed apart, or the tubes would have no cells to leave
-/// by.
+/// by. Each is then moved by up to half of it, out of its bone's axis. Of 1,500 random stars of 3 to 8 bones,
+/// up to three of them within 0.25 of each other, 15 meshes cross themselves with 0.03, 13 with 0.06, 14 with
+/// 0.12, and 49 with 0.24.
 constexpr double least_separation = 0.12;
-/// Radians; the ends of shorter arcs are merged to a point, or faces beside them would be slivers. A ring of
-/// four vertices has edges of 1.4, one of eight of 0.77.
+/// Radians; the ends of shorter arcs are merged to a point: one irregular vertex stands for two. Of
+/// 1,500 random stars of 3 to 12 bones 26 have a folded quad with 0.06, 22 with 0.12, and 35 with 0.24.
 constexpr double shortest_arc = 0.12;
 /// Radians. The hull rounds directions to a grid of 2^-18, or 4e-6; where four of them lie on one circle that
 /// leaves an arc of about as much, times how flat the triangles are that they make.
@@ -37,7 +39,7 @@ constexpr double seed_spacing = 0.6;
 constexpr double own_half = 0.51;
 constexpr double near_enough = 0.98;  // of the squared separation
 constexpr double longest_push = 0.5;  // of the separation: many neighbours push too hard together
-constexpr int most_pushes = 64;
+constexpr int most_pushes = 64;       // 16 do for all of the stars above
 
 Vec3 any_normal_to(const Vec3& v) {
     int least = 0;
