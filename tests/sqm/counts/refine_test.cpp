@@ -133,6 +133,17 @@ TEST(Refine, RectanglesHaveFourEvenSides) {
     EXPECT_EQ(s.refinement.path_sides[0] % 4, 0);
 }
 
+TEST(Refine, RectanglesHaveFourEvenSidesWhateverElseLeavesTheirJoint) {
+    property::Random random(34);
+    for (int round = 0; round < 60; ++round) {
+        Document d = star(random_directions(random, 4 + round % 5));
+        for (const int arm : {1, 2}) d.nodes[arm].section = Section::rectangular;
+        const Stages s(d);
+        expect_agreement(s);
+        for (const int path : {0, 1}) EXPECT_EQ(s.refinement.path_sides[path] % 4, 0) << round;
+    }
+}
+
 TEST(Refine, RectanglesInAMirrorHaveAVertexInTheMiddleOfTheirSides) {
     Document d;
     add(d, -1, {0, 0, 0}, 0.4);

@@ -90,6 +90,17 @@ TEST(BendRing, StaysWhereThePlaneOfTheNextBendIsBeyondItsOwn) {
     EXPECT_GT(reached, 0) << "some vertex is held back";
 }
 
+/// Such a plane is not crossed by going along the bone.
+TEST(BendRing, TakesNoHeedOfAPlaneAlongTheBone) {
+    const Bend bend(1, 1, 1.2);
+    Station next;
+    next.tangent = (Vec3::UnitZ().cross(bend.after.axis) + 1e-5 * bend.after.axis).normalized();
+    BendRing ring = bend.ring();
+    ring.keep_from(next, false);
+    for (double angle = 0; angle < 6; angle += 0.3)
+        EXPECT_EQ(ring.at(bend.ray(angle)), bend.ring().at(bend.ray(angle)));
+}
+
 TEST(BendRing, FacesOnBothSidesStayWithinTheirCones) {
     // a thin bone turns back beside a wide one
     const std::vector<Ball> balls{{-1, {0, 0, 0}, 1}, {0, {4, 0, 0}, 0.4}, {1, {2.8, 2.6, 0}, 0.4}};

@@ -74,6 +74,19 @@ TEST(DentRings, OfALoneDentAreTheOpeningAsDrawnAndItsWall) {
     });
 }
 
+/// Rays from the joint's centre cannot tell the floor of a dent that goes past it.
+TEST(DentRings, OfADentPastTheCentreAreOnItsWallAllTheSame) {
+    const Dented d(dented_ball(std::vector<double>{0}, 0.3, 1.2));
+    d.for_rings([&](std::int32_t p, std::int32_t i) {
+        const PitShape& pit = d.pit(p);
+        ASSERT_NEAR(pit.half.z(), 1.2, 1e-9);
+        for (const Vec3& at : d.vertices(p, i))
+            if (d.ring(i).share < 1) {
+                EXPECT_NEAR(pit.local(at - pit.middle).norm(), 1, 0.02);
+            }
+    });
+}
+
 TEST(DentRings, WhereDentsOverlapHaveTheirRimOnTheSurfaceAndAllElseOnTheFloor) {
     for (const double angle : {0.3, 0.4, 0.5}) {
         const Dented d({-angle / 2, angle / 2});
