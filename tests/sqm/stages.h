@@ -79,6 +79,29 @@ inline std::vector<Vec3> fan(int count) {
     return directions;
 }
 
+/// A ball of radius 1, and a dent of this half width and depth at each angle from z towards x.
+inline Document dented_ball(std::span<const double> angles, double width, double depth) {
+    Document d;
+    add(d, -1, Vec3::Zero(), 1);
+    d.nodes[0].type = NodeType::ball;
+    for (const double angle : angles)
+        d.nodes[add(d, 0, (1 + depth) * Vec3(std::sin(angle), 0, std::cos(angle)), width)].type =
+            NodeType::negative;
+    return d;
+}
+
+/// A closed path in space: once round z, and `waves` times round that circle as it goes.
+inline Document closed_coil(int nodes, int waves, double radius) {
+    std::vector<Vec3> places;
+    for (int i = 0; i < nodes; ++i) {
+        const double along = 2 * M_PI * i / nodes, out = 6 + 1.5 * std::cos(waves * along);
+        places.push_back({out * std::cos(along), out * std::sin(along), 1.5 * std::sin(waves * along)});
+    }
+    Document d = chain(places, radius);
+    d.links = {{0, nodes - 1}};
+    return d;
+}
+
 /// Eight nodes and twelve bones: a cube of struts.
 inline Document cube_of_struts(double size = 4, double radius = 0.3) {
     Document d;

@@ -1,8 +1,5 @@
 #include "sinew/sqm/skin.h"
 
-#include <algorithm>
-#include <array>
-
 #include "sinew/extend/extend.h"
 #include "sinew/skeleton/condition.h"
 #include "sinew/skeleton/symmetry.h"
@@ -13,6 +10,7 @@
 #include "sinew/sqm/cells/polyhedra.h"
 #include "sinew/sqm/counts/refine.h"
 #include "sinew/sqm/fit/fit.h"
+#include "sinew/sqm/name_drawn.h"
 #include "sinew/sqm/network.h"
 #include "sinew/sqm/place/place.h"
 #include "sinew/sqm/place/symmetrise.h"
@@ -80,27 +78,6 @@ Result<QuadMesh> make_mesh(const Plain& skeleton, const SkinOptions& options, co
     return std::move(bridged->mesh);
 }
 
-/// Vertices of images are those of the drawn nodes and bones that they are images of.
-void name_drawn(const Document& drawn, const ExpandedSymmetry& expanded, QuadMesh& mesh) {
-    const auto key = [](std::int32_t a, std::int32_t b) {
-        return std::array{std::min(a, b), std::max(a, b)};
-    };
-    std::vector<std::pair<std::array<std::int32_t, 2>, std::int32_t>> known;
-    for (const Bone& bone : bones_of(drawn))
-        known.emplace_back(key(bone[0], bone[1]), std::int32_t(known.size()));
-    std::sort(known.begin(), known.end());
-    std::vector<std::int32_t> bone_of;
-    for (const Bone& bone : bones_of(expanded.document)) {
-        const auto wanted = key(expanded.source[bone[0]], expanded.source[bone[1]]);
-        const auto at = std::lower_bound(known.begin(), known.end(), std::pair(wanted, std::int32_t{0}));
-        bone_of.push_back(at != known.end() && at->first == wanted ? at->second : -1);
-    }
-    for (std::int32_t& node : mesh.vertex_node)
-        if (node >= 0) node = expanded.source[node];
-    for (std::int32_t& bone : mesh.vertex_bone)
-        if (bone >= 0) bone = bone_of[bone];
-}
-
 }  // namespace
 
 Result<Skin> skin(const Document& document, const SkinOptions& options, const Progress& progress) {
@@ -128,7 +105,7 @@ Result<Skin> skin(const Document& document, const SkinOptions& options, const Pr
     auto mesh = make_mesh(plain, options, density, progress, result);
     if (!mesh) return fail(mesh.error());
     result.mesh = std::move(*mesh);
-    if (symmetric) name_drawn(document, expanded, result.mesh);
+    if (symmetric) sqm::name_drawn(document, expanded, result.mesh);
     progress(1.0, "done");
     return result;
 }

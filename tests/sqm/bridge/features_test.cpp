@@ -1,6 +1,8 @@
 #include "sinew/sqm/bridge/features.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 
 #include "sinew/mesh/topology.h"
@@ -66,6 +68,68 @@ TEST(Features, OfABoxAreItsEdgesCornersAndSides) {
     std::set<std::uint32_t> covered;
     for (const Plane& plane : f.planes) covered.insert(plane.faces.begin(), plane.faces.end());
     EXPECT_EQ(covered.size(), mesh.face_count());
+}
+
+/// A box of three thin tubes, or of a beam as wide as its face and two tubes: a plane for every side that is
+/// seen, and creases that go on along the beam.
+TEST(Features, OfABoxThatIsAJointAreItsSidesAndTheEdgesOfFlushBeams) {
+    for (const bool flush : {false, true}) {
+        Document d = star(std::vector<Vec3>{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, 5, 0.2);
+        d.nodes[0].type = NodeType::cube;
+        d.nodes[0].size = Vec3(2, 2, 2);
+        if (flush) {
+            d.nodes[1].section = Section::rectangular;
+            d.nodes[1].radius = 1;
+        }
+        const QuadMesh mesh = finished(d);
+        const Features& f = mesh.features;
+        std::set<std::array<int, 3>> sides;
+        for (const Plane& plane : f.planes)
+            if (std::abs(plane.point.dot(plane.normal) - 1) < 1e-5f && !plane.faces.empty())
+                sides.insert({int(std::lround(plane.normal.x())), int(std::lround(plane.normal.y())),
+                              int(std::lround(plane.normal.z()))});
+        EXPECT_EQ(sides.count({1, 0, 0}), flush ? 0u : 1u);
+        EXPECT_EQ(sides.size(), flush ? 5u : 6u);
+        std::set<std::array<int, 2>> beam;  // edges along x, by their y and z
+        for (const Crease& crease : f.creases) {
+            const Vec3f &a = mesh.positions[crease.edge[0]], &b = mesh.positions[crease.edge[1]];
+            const bool from_box = std::abs(std::min(a.x(), b.x()) - 1) < 1e-5f;
+            if (from_box && std::max(a.x(), b.x()) > 1.5f)
+                beam.insert({int(std::lround(a.y())), int(std::lround(a.z()))});
+        }
+        EXPECT_EQ(beam.size(), flush ? 4u : 0u);
+    }
+}
+
+/// A beam that gets thinner and wider again in steps, and a tube that stands on a box.
+TEST(Features, PlanesLookOutOfTheSolid) {
+    Document steps;
+    for (int i = 0; i < 3; ++i) {
+        Node& node = steps.nodes[add(steps, i - 1, {2.0 * i, 0, 0}, 0.5)];
+        node.type = NodeType::cube;
+        node.size = i == 1 ? Vec3(2, 1, 1) : Vec3(2, 2, 2);
+    }
+    Document post;
+    add(post, -1, {0, 0, 0}, 0.3);
+    post.nodes[0].type = NodeType::cube;
+    post.nodes[0].size = Vec3(2, 2, 2);
+    add(post, 0, {0, 0, 5}, 0.3);
+    int plates = 0;
+    for (const Document& d : {steps, post}) {
+        const Stages s(d);
+        for (const Station& ring : s.stations.stations) plates += ring.to_next == BoneKind::plate;
+        const QuadMesh mesh = finished(d);
+        EXPECT_FALSE(mesh.features.planes.empty());
+        for (const Plane& plane : mesh.features.planes)
+            for (const std::uint32_t f : plane.faces) {
+                const auto face = mesh.face(f);
+                Vec3f area = Vec3f::Zero();
+                for (std::size_t k = 0; k < face.size(); ++k)
+                    area += mesh.positions[face[k]].cross(mesh.positions[face[(k + 1) % face.size()]]);
+                EXPECT_NEAR(area.normalized().dot(plane.normal), 1, 1e-4);
+            }
+    }
+    EXPECT_GT(plates, 1);
 }
 
 TEST(Features, OfASharpJointAreTheEdgesOfItsRing) {

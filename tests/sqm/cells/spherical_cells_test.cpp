@@ -34,6 +34,11 @@ void expect_tiling(const SphericalCells& cells) {
         EXPECT_EQ(right[a], 1);
         EXPECT_NE(cells.arcs[a].left, cells.arcs[a].right);
     }
+    for (std::int32_t c = 0; c < cells.cell_count(); ++c) {  // a cell of two sides has its width: a lune
+        if (cells.cell(c).size() > 2) continue;
+        const CellArc& arc = cells.arcs[cells.cell(c)[0].arc];
+        EXPECT_LT(cells.vertices[arc.from].dot(cells.vertices[arc.to]), -0.8);
+    }
     EXPECT_EQ(std::ssize(cells.vertices) - std::ssize(cells.arcs) + cells.cell_count(), 2);
     for (const int meet : cells_at_vertices(cells)) {
         EXPECT_GE(meet, 2);
@@ -63,6 +68,18 @@ TEST(SphericalCells, TileTheSphereAreaAndAll) {
         double area = 0;
         for (std::int32_t c = 0; c < cells.cell_count(); ++c) area += area_of(cells, c);
         EXPECT_NEAR(area, 4 * M_PI, 1e-9) << n;
+    }
+}
+
+TEST(SphericalCells, OfFewDirectionsAreNeverWithoutWidth) {
+    property::Random random(35);
+    SphericalCells cells;
+    for (int round = 0; round < 3000; ++round) {
+        std::vector<Vec3> directions = random_directions(random, 4 + round % 3);
+        if (round % 2 == 0)  // nearly in one plane
+            for (Vec3& d : directions) d = Vec3(d.x(), d.y(), 0.2 * d.z()).normalized();
+        find_spherical_cells(directions, cells);
+        expect_tiling(cells);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sinew/sqm/counts/regions.h"
 #include "sqm/stages.h"
 
 namespace sinew::sqm {
@@ -21,6 +22,21 @@ void expect_agreement(const Stages& s) {
         if (s.polyhedra.cell(c).size() != 2) continue;
         for (const CellSide& side : s.polyhedra.cell(c)) EXPECT_GE(s.refinement.pieces[side.arc], 2);
     }
+}
+
+/// All paths of the core of a component have the same number of vertices round them, and an even one.
+void expect_one_even_count(const Stages& s) {
+    expect_agreement(s);
+    const Regions regions = find_regions(s.network);
+    std::vector<std::int32_t> count(regions.components, 0);
+    for (std::int32_t p = 0; p < s.network.path_count(); ++p) {
+        if (!regions.core[p]) continue;
+        std::int32_t& shared = count[regions.component_of(s.network, p)];
+        if (shared == 0) shared = s.refinement.path_sides[p];
+        EXPECT_EQ(s.refinement.path_sides[p], shared);
+        EXPECT_EQ(shared % 2, 0);
+    }
+    EXPECT_GT(*std::max_element(count.begin(), count.end()), 0) << "a core";
 }
 
 TEST(Refine, ThreeBonesShareTheirArcsInTwos) {
@@ -60,8 +76,19 @@ TEST(Refine, OnCyclesAllPathsShareOneEvenCount) {
     property::Random random(11);
     Document d = random_tree(random, 3);
     d.links = {{7, 12}, {8, 15}, {9, 20}};
-    const Stages cycles(d);
-    expect_agreement(cycles);
+    expect_one_even_count(Stages(d));
+    // Loops at a joint whose cells have five sides: five would do for the loop too.
+    int of_five_sides = 0;
+    for (int round = 0; round < 20; ++round) {
+        Document loop = star(random_directions(random, 8));
+        loop.links = {{1, 2}};
+        const Stages s(loop);
+        expect_one_even_count(s);
+        std::size_t most = 0;
+        for (std::int32_t c = 0; c < 2; ++c) most = std::max(most, s.polyhedra.cell(c).size());
+        of_five_sides += most == 5;
+    }
+    EXPECT_GT(of_five_sides, 3);
 }
 
 TEST(Refine, GivesEveryPathTheSidesThatAreAskedForOrTheNextThatFit) {
@@ -104,6 +131,17 @@ TEST(Refine, RectanglesHaveFourEvenSides) {
     const Stages s(d);
     expect_agreement(s);
     EXPECT_EQ(s.refinement.path_sides[0] % 4, 0);
+}
+
+TEST(Refine, RectanglesHaveFourEvenSidesWhateverElseLeavesTheirJoint) {
+    property::Random random(34);
+    for (int round = 0; round < 60; ++round) {
+        Document d = star(random_directions(random, 4 + round % 5));
+        for (const int arm : {1, 2}) d.nodes[arm].section = Section::rectangular;
+        const Stages s(d);
+        expect_agreement(s);
+        for (const int path : {0, 1}) EXPECT_EQ(s.refinement.path_sides[path] % 4, 0) << round;
+    }
 }
 
 TEST(Refine, RectanglesInAMirrorHaveAVertexInTheMiddleOfTheirSides) {

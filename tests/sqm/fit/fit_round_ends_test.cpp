@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sinew/mesh/limit.h"
 #include "sqm/stages.h"
 
@@ -15,13 +17,14 @@ struct Stick {
     std::array<bool, 2> round{};
 
     Stick(double length, int sides, NodeType end)
-        : s(
+        : Stick(
               [&] {
                   Document d = chain(std::vector<Vec3>{{0, 0, 0}, {length, 0, 0}}, 1);
                   d.nodes[1].type = end;
                   return d;
               }(),
-              sides) {
+              sides) {}
+    Stick(const Document& document, int sides) : s(document, sides) {
         s.stations = make_stations(s.skeleton, s.network, s.polyhedra, s.refinement, s.surfaces, s.points,
                                    {.support = true});
         Bridge b = bridge(s.parts()).value();
@@ -70,6 +73,23 @@ TEST(FitRoundEnds, MeetOnASphere) {
         sum += p - Vec3(0.2, 0, 0);
     }
     EXPECT_LT(sum.norm() / static_cast<double>(stick.fitted.size()), 0.02) << "neither overshoots the other";
+}
+
+/// Each end is fitted to the two rings below it. With one ring between both, the second is the other end's,
+/// and fitting one after the other would leave them unlike.
+TEST(FitRoundEnds, AreFittedTogetherWhereOneRingIsBetweenThem) {
+    for (const double half : {0.05, 0.1, 0.15, 0.2}) {
+        const Stick stick(chain(std::vector<Vec3>{{0, 0, 0}, {half, 0, 0}, {2 * half, 0, 0}}, 1), 8);
+        const std::vector<Station> rings = stick.s.rings(0);
+        EXPECT_EQ(std::count_if(rings.begin(), rings.end(), [](auto& r) { return r.fit != RingFit::cap; }),
+                  1);
+        for (const Vec3& p : stick.fitted) {
+            const Vec3 other_end(2 * half - p.x(), p.y(), p.z());
+            double nearest = 1;
+            for (const Vec3& q : stick.fitted) nearest = std::min(nearest, (other_end - q).norm());
+            EXPECT_LT(nearest, 0.001) << half;
+        }
+    }
 }
 
 }  // namespace

@@ -61,6 +61,46 @@ TEST(BendRing, LeansNoFurtherThanItsRoom) {
     }
 }
 
+/// Two bends in a row whose planes lean towards each other: on every line along the bone between them, the
+/// plane of the one must come before that of the other.
+TEST(BendRing, StaysWhereThePlaneOfTheNextBendIsBeyondItsOwn) {
+    int reached = 0;
+    for (const double length : {1.2, 2.0, 3.0})
+        for (const double far_before : {0.2, 1.0, 1.9})
+            for (const double turn : {0.6, 1.2, 1.8}) {
+                const Vec3 axis(std::cos(turn), std::sin(turn), 0);
+                const ConeFrom before({0, 0, 0}, 1, {-9, 0, 0}, far_before),
+                    after({0, 0, 0}, 1, length * axis, 1);
+                Station here, next;
+                here.tangent = (after.axis - before.axis).normalized();
+                next.tangent = (axis + Vec3(std::cos(2 * turn), std::sin(2 * turn), 0)).normalized();
+                BendRing ring(here, before, after);
+                ring.give_room(100, 100);
+                ring.keep_from(next, false);
+                const Vec3 inner = Vec3::UnitZ().cross(here.tangent);
+                for (double angle = -1.5; angle < 1.5; angle += 0.1) {
+                    const Vec3 at = ring.at(std::cos(angle) * inner + std::sin(angle) * Vec3::UnitZ());
+                    const double own = -here.tangent.dot(at) / here.tangent.dot(axis),
+                                 beyond = length - next.tangent.dot(at) / next.tangent.dot(axis);
+                    EXPECT_GE(beyond - own, 0.02 * length - 1e-9)
+                        << length << ' ' << far_before << ' ' << turn;
+                    reached += beyond - own < 0.02 * length + 1e-9;
+                }
+            }
+    EXPECT_GT(reached, 0) << "some vertex is held back";
+}
+
+/// Such a plane is not crossed by going along the bone.
+TEST(BendRing, TakesNoHeedOfAPlaneAlongTheBone) {
+    const Bend bend(1, 1, 1.2);
+    Station next;
+    next.tangent = (Vec3::UnitZ().cross(bend.after.axis) + 1e-5 * bend.after.axis).normalized();
+    BendRing ring = bend.ring();
+    ring.keep_from(next, false);
+    for (double angle = 0; angle < 6; angle += 0.3)
+        EXPECT_EQ(ring.at(bend.ray(angle)), bend.ring().at(bend.ray(angle)));
+}
+
 TEST(BendRing, FacesOnBothSidesStayWithinTheirCones) {
     // a thin bone turns back beside a wide one
     const std::vector<Ball> balls{{-1, {0, 0, 0}, 1}, {0, {4, 0, 0}, 0.4}, {1, {2.8, 2.6, 0}, 0.4}};

@@ -88,6 +88,45 @@ TEST(Place, RingsOfTightBendsDoNotCross) {
     }
 }
 
+/// Where both ends of a bone have a ring at a bend, neither leans over the bone to its middle; nor does one
+/// over the bone to a joint.
+TEST(Place, RingsOfBendsShareTheBoneBetweenThem) {
+    property::Random random(29);
+    std::array<int, 2> held{};  // towards a bend, a joint
+    for (int round = 0; round < 400; ++round) {
+        const bool from_joint = round % 2 == 1;
+        std::vector<Ball> balls{{-1, {0, 0, 0}, from_joint ? 0.3 : random.between(0.4, 0.9)}};
+        for (int i = 0; i < 4; ++i)
+            balls.push_back({i, balls.back().position + random.direction(), random.between(0.4, 0.9)});
+        for (int i = 0; from_joint && i < 2; ++i) balls.push_back({0, 3 * random.direction(), 0.3});
+        const Stages s(tree(balls));
+        Bridge b = bridge(s.parts()).value();
+        place(s.parts(), {}, b);
+        for (std::int32_t p = 0; p < s.network.path_count(); ++p) {
+            const auto nodes = s.network.nodes(p);
+            for (std::int32_t i = s.stations.first[p]; i < s.stations.first[p + 1]; ++i) {
+                const Station& ring = s.stations.stations[i];
+                if (ring.shape != RingShape::node) continue;
+                for (const std::int32_t next : {ring.before, ring.after}) {
+                    const bool first = next == nodes.front(), inner = !first && next != nodes.back();
+                    const bool joint = !inner && s.network.path_end[p][first ? 0 : 1].at_joint();
+                    if (!inner && !joint) continue;
+                    const Vec3 centre = s.skeleton.position[ring.node],
+                               bone = s.skeleton.position[next] - centre;
+                    for (std::int32_t k = 0; k < s.refinement.path_sides[p]; ++k) {
+                        const Vec3 at =
+                            b.mesh.positions[first_of_ring(s.parts(), b, p, i) + k].cast<double>() - centre;
+                        const double height = at.dot(bone) / bone.squaredNorm();
+                        EXPECT_LT(height, 0.5 + 1e-5);
+                        held[joint ? 1 : 0] += height > 0.48;
+                    }
+                }
+            }
+        }
+    }
+    for (const int count : held) EXPECT_GT(count, 10) << "that some would lean further";
+}
+
 TEST(Place, VerticesOfTreesLieOnTheRoundCones) {
     property::Random random(27);
     for (int round = 0; round < 10; ++round) {

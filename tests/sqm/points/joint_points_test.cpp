@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "sinew/sqm/surface/dents.h"
+#include "sinew/sqm/surface/joint_reach.h"
 #include "sqm/stages.h"
 
 namespace sinew::sqm {
@@ -55,6 +57,61 @@ TEST(JointPoints, OfABoxAreItsCornersAndEvenOnItsEdges) {
         const Vec3 middle = 0.5 * (s.points.position[arc.from] + s.points.position[arc.to]);
         EXPECT_TRUE(s.points.position[s.points.arc_first[a]].isApprox(middle, 1e-12));
     }
+}
+
+/// The points of an arc with its ends, from the first on.
+std::vector<Vec3> points_of_arc(const Stages& s, std::size_t a) {
+    const CellArc& arc = s.polyhedra.arcs[a];
+    std::vector<Vec3> points{s.points.position[arc.from]};
+    for (std::int32_t i = 0; i + 1 < s.refinement.pieces[a]; ++i)
+        points.push_back(s.points.position[s.points.arc_first[a] + i]);
+    points.push_back(s.points.position[arc.to]);
+    return points;
+}
+bool is_between_dents(const Stages& s, const CellArc& arc) {
+    return std::max(arc.left, arc.right) < s.network.degree(0) &&
+           dents_overlap(s.surfaces, arc.left, arc.right);
+}
+
+TEST(JointPoints, OfAnArcAcrossAGrooveGoFromRimToRim) {
+    const Stages s(dented_ball(std::vector<double>{-0.25, 0.25}, 0.3, 0.2));
+    int arcs = 0;
+    for (std::size_t a = 0; a < s.polyhedra.arcs.size(); ++a) {
+        if (!is_between_dents(s, s.polyhedra.arcs[a])) continue;
+        ++arcs;
+        const std::vector<Vec3> points = points_of_arc(s, a);
+        std::vector<std::size_t> rims, sunk;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (on_rim(s.network, s.surfaces, 0, Vec3::Zero(), points[i])) rims.push_back(i);
+            if (in_dent(s.network, s.surfaces, 0, Vec3::Zero(), points[i])) sunk.push_back(i);
+        }
+        ASSERT_EQ(rims.size(), 2u);
+        EXPECT_EQ(sunk.size(), rims[1] - rims[0] - 1) << "all between the rims";
+        EXPECT_GE(sunk.size(), 3u);
+        // What is left of the arc outside is long: a point half way parts it.
+        ASSERT_EQ(rims[0], 2u);
+        ASSERT_EQ(rims[1], points.size() - 3);
+        EXPECT_NEAR((points[1] - points[0]).norm(), (points[2] - points[1]).norm(), 1e-3);
+        EXPECT_GT((points[1] - points[0]).norm(), 0.125);
+    }
+    EXPECT_EQ(arcs, 1);
+}
+
+TEST(JointPoints, OfArcsFromWhereThreeDentsMeetAreApart) {
+    Document d = dented_ball(std::vector<double>{}, 0.3, 0.2);
+    for (const Vec3& out : fan(3))
+        d.nodes[add(d, 0, 1.2 * (0.25 * out + Vec3::UnitZ()).normalized(), 0.3)].type = NodeType::negative;
+    const Stages s(d);
+    int from_the_floor = 0;
+    for (std::size_t a = 0; a < s.polyhedra.arcs.size(); ++a) {
+        if (!is_between_dents(s, s.polyhedra.arcs[a])) continue;
+        const std::vector<Vec3> points = points_of_arc(s, a);
+        for (std::size_t i = 1; i < points.size(); ++i)
+            EXPECT_GT((points[i].normalized() - points[i - 1].normalized()).norm(), 0.002) << i;
+        from_the_floor += in_dent(s.network, s.surfaces, 0, Vec3::Zero(), points.front()) !=
+                          in_dent(s.network, s.surfaces, 0, Vec3::Zero(), points.back());
+    }
+    EXPECT_EQ(from_the_floor, 3);
 }
 
 TEST(JointPoints, RingsRunCounterClockwiseRoundTheirCells) {

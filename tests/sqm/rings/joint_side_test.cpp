@@ -11,7 +11,7 @@ namespace {
 JointSide side_of(const Stages& s, std::int32_t path, int end) {
     Stations out;
     const StationOptions options;
-    PathWork work{s.skeleton, s.network, s.polyhedra, s.refinement, s.points, options, out};
+    PathWork work{s.skeleton, s.network, s.polyhedra, s.refinement, s.surfaces, s.points, options, out};
     work.sides = s.refinement.path_sides[path];
     JointSide side;
     take_joint(work, s.network.path_end[path][end], end == 1, side);

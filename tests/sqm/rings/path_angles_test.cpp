@@ -108,6 +108,51 @@ TEST(PathAngles, OfAClosedPathMeetThemselves) {
     for (const Station& ring : s.stations.stations) EXPECT_LE(std::abs(ring.turn), M_PI / 4 + 1e-9);
 }
 
+TEST(PathAngles, OfAClosedCoilGoOnInTheColumnsThatTheyEndIn) {
+    int turned = 0;
+    for (int waves = 1; waves <= 5; ++waves) {
+        const Stages s(closed_coil(60, waves, 0.3), 12);
+        const std::vector<Station> rings = s.rings(0);
+        const Station &first = rings.front(), &last = rings.back();
+        const Vec3 carried = carry_frame(last.x, last.centre, last.tangent, first.centre, first.tangent);
+        const double frame = angle_round(carried, first.x, first.tangent.cross(first.x));
+        for (int k = 0; k < 12; ++k) {
+            const double ends = s.stations.angle[k] + last.turn + frame,
+                         begins = s.stations.angle[(k + s.stations.far_shift[0]) % 12] + first.turn;
+            // What twist there is, at most half a column's, is spread over all rings.
+            EXPECT_LT(std::abs(std::remainder(ends - begins, 2 * M_PI)), M_PI / 12 * 2 / 60) << waves;
+        }
+        turned += s.stations.far_shift[0] % 6 != 0;
+    }
+    EXPECT_GT(turned, 2);
+}
+
+/// A bar whose arms at one end stand exactly half a column off those at the other, turned about an axis.
+TEST(PathAngles, OfImagesUnderARotationTakeTheSameOneOfTwoTurnsAsNear) {
+    for (const int count : {3, 5, 7}) {
+        Document d;
+        add(d, -1, {0, 0, 0}, 0.3);
+        const std::int32_t low = add(d, 0, {4, 0, 0}, 0.2), high = add(d, low, {9, 0, 0}, 0.2);
+        const double half = std::sqrt(0.5);
+        for (const Vec3& arm : {Vec3(0, 1, 0), Vec3(0, -1, 0)}) add(d, low, d.nodes[low].position + arm, 0.2);
+        for (const Vec3& arm : {Vec3(0, half, half), Vec3(0, -half, -half)})
+            add(d, high, d.nodes[high].position + arm, 0.2);
+        d.symmetry = {Symmetry::Kind::radial, 2, count};
+        const Stages s(expanded(d));
+        ASSERT_EQ(s.images.order, count);
+        int ties = 0;
+        for (std::int32_t p = 0; p < s.network.path_count(); ++p) {
+            const std::vector<Station> rings = s.rings(p), images = s.rings(s.images.path[p]);
+            ASSERT_EQ(rings.size(), images.size());
+            for (std::size_t i = 0; i < rings.size(); ++i)
+                EXPECT_NEAR(rings[i].turn, images[i].turn, 1e-9) << count;
+            const double twist = rings.empty() ? 0 : std::abs(rings.back().turn);
+            ties += twist > 0.6 * M_PI / s.refinement.path_sides[p];
+        }
+        EXPECT_GE(ties, count);
+    }
+}
+
 TEST(PathAngles, PutTheCornersOfOutlinesOnCornerColumns) {
     Document d;
     for (int i = 0; i < 4; ++i) {

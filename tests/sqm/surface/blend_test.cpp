@@ -8,7 +8,7 @@ namespace {
 
 /// Tubes of radius 0.5 along -x, x and y, blended by a ball of `blend` radii.
 Stages tee(double blend) {
-    Plain plain = plain_of(star({-Vec3::UnitX(), Vec3::UnitX(), Vec3::UnitY()}, 8, 0.5));
+    Plain plain = plain_of(star(std::vector<Vec3>{-Vec3::UnitX(), Vec3::UnitX(), Vec3::UnitY()}, 8, 0.5));
     plain.blend.assign(plain.position.size(), blend);
     return Stages(std::move(plain));
 }

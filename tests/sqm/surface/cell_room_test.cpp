@@ -10,7 +10,7 @@ namespace {
 /// Three bones of length 3 in a plane, evenly round z.
 struct Star {
     Stages stages{star(fan(3))};
-    CellRoom room{stages.skeleton, stages.network, stages.polyhedra, stages.points, 0, 0};
+    CellRoom room{stages.skeleton, stages.network, stages.polyhedra, stages.surfaces, 0, 0};
 };
 
 double angle_to_x(const Vec3& v) { return std::atan2(v.tail<2>().norm(), v.x()); }
@@ -40,15 +40,33 @@ TEST(CellRoom, EndsWithTheNeighbours) {
     EXPECT_EQ(star.room.pull_in(beyond), beyond);
 }
 
+/// Bones that leave in nearly one direction have cells that are drawn apart, beside the bones.
+TEST(CellRoom, PullsIntoTheCellEvenIfTheBoneIsBesideIt) {
+    const Stages s(star(std::vector<Vec3>{Vec3(1, 0.0005, 0), Vec3(1, 0, 0), Vec3(1, -0.0005, 0),
+                                          Vec3(1, 0, 0.0005), Vec3(-1, 0, 0), Vec3(0, 0, 1)},
+                        3, 0.3));
+    property::Random random(36);
+    for (std::int32_t slot = 0; slot < 4; ++slot) {
+        const CellRoom room(s.skeleton, s.network, s.polyhedra, s.surfaces, 0, slot);
+        for (int i = 0; i < 50; ++i) {
+            const Vec3 pulled = room.pull_in(random.between(0.5, 2) * random.direction());
+            std::int32_t nearest = 0;
+            for (std::int32_t c = 1; c < s.polyhedra.cell_count(); ++c)
+                if (s.polyhedra.sites[c].dot(pulled) > s.polyhedra.sites[nearest].dot(pulled)) nearest = c;
+            EXPECT_EQ(nearest, slot);
+        }
+    }
+}
+
 TEST(CellRoom, LetsOneGoAsFarAsTheWall) {
     const Star star;
     const Vec3 to_wall = Vec3(-std::sqrt(3.0), 1, 0) / 2;  // at right angles to the wall at 60 degrees
     const double whole = std::sqrt(3.0);                   // from (2, 0, 0)
-    EXPECT_LT(star.room.way_out({2, 0, 0}, to_wall, 5), whole);
-    EXPECT_GT(star.room.way_out({2, 0, 0}, to_wall, 5), 0.95 * whole);
-    EXPECT_EQ(star.room.way_out({2, 0, 0}, to_wall, 1), 1);
-    EXPECT_EQ(star.room.way_out({2, 0, 0}, Vec3::UnitX(), 5), 5);
-    EXPECT_EQ(star.room.way_out({2, 0, 0}, Vec3::UnitZ(), 5), 5);
+    EXPECT_LT(star.room.free_distance({2, 0, 0}, to_wall, 5), whole);
+    EXPECT_GT(star.room.free_distance({2, 0, 0}, to_wall, 5), 0.95 * whole);
+    EXPECT_EQ(star.room.free_distance({2, 0, 0}, to_wall, 1), 1);
+    EXPECT_EQ(star.room.free_distance({2, 0, 0}, Vec3::UnitX(), 5), 5);
+    EXPECT_EQ(star.room.free_distance({2, 0, 0}, Vec3::UnitZ(), 5), 5);
 }
 
 /// Tubes that are too wide for their cells, one beside the other.

@@ -87,17 +87,6 @@ TEST(JointSurface, EndsAtTheNextNode) {
     }
 }
 
-TEST(JointSurface, OfConesIsTheirUnion) {
-    property::Random random(14);
-    const Stages s(star(random_directions(random, 5), 4, 0.5));
-    for (int i = 0; i < 100; ++i) {
-        const Vec3 ray = random.direction();
-        double expected = 0;
-        for (const ConeFrom& cone : s.surfaces.cone) expected = std::max(expected, cone.exit(ray));
-        EXPECT_EQ(exit_of_joint(s.network, s.surfaces, 0, Vec3::Zero(), ray), expected);
-    }
-}
-
 TEST(JointSurface, KnowsBeamsPitsAndBareSurface) {
     Document d;
     add(d, -1, {0, 0, 0}, 1);

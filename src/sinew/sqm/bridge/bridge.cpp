@@ -8,47 +8,6 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr std::int32_t lone_faces = 24;
-
-using SpherePoint = std::array<int, 3>;
-
-std::array<SpherePoint, 26> make_sphere_points() {
-    std::array<SpherePoint, 26> points{};
-    std::size_t at = 0;
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x)
-                if (x || y || z) points[at++] = {x, y, z};
-    return points;
-}
-
-std::uint32_t sphere_index(const SpherePoint& p) {
-    const auto& points = lone_sphere_points();
-    return static_cast<std::uint32_t>(std::find(points.begin(), points.end(), p) - points.begin());
-}
-
-/// Each side of the cube has four quads, counter-clockwise from outside.
-std::array<std::array<std::uint32_t, 4>, lone_faces> make_sphere_faces() {
-    std::array<std::array<std::uint32_t, 4>, lone_faces> faces{};
-    std::size_t at = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        for (int side = -1; side <= 1; side += 2)
-            for (int u = -1; u <= 0; ++u)
-                for (int v = -1; v <= 0; ++v) {
-                    const auto corner = [&](int du, int dv) {
-                        SpherePoint p{};
-                        p[axis] = side;
-                        p[(axis + 1) % 3] = u + du;
-                        p[(axis + 2) % 3] = v + dv;
-                        return sphere_index(p);
-                    };
-                    faces[at] = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
-                    if (side < 0) std::swap(faces[at][1], faces[at][3]);
-                    ++at;
-                }
-    return faces;
-}
-
 /// Counts and offsets of everything, then the faces, each path in its own range.
 class Builder {
   public:
@@ -117,8 +76,9 @@ class Builder {
             if (vertices_ > 4'000'000'000u || first_corner_.back() > 4'200'000'000u) return false;
         }
         find_capped();
-        face_total_ = first_face_.back() + capped_sides_ + lone_faces * n_.lone.size();
-        corner_total_ = first_corner_.back() + 3 * capped_sides_ + 4 * lone_faces * n_.lone.size();
+        face_total_ = first_face_.back() + capped_sides_ + lone_sphere_faces().size() * n_.lone.size();
+        corner_total_ =
+            first_corner_.back() + 3 * capped_sides_ + 4 * lone_sphere_faces().size() * n_.lone.size();
         return vertices_ < 4'000'000'000u && corner_total_ < 4'200'000'000u;
     }
     void find_capped() {
@@ -178,7 +138,8 @@ class Builder {
         };
         const auto close = [&](auto last) {
             const std::uint32_t shift = d_.stations.far_shift[p], pole = out_.path_pole[p][1];
-            if (n_.path_closed[p])
+            if (n_.path_closed[p])  // what comes next is the first ring, as seen from the frame that went
+                                    // round
                 band(c, n, last,
                      [&](std::uint32_t k) { return ring(0)(k + shift < n ? k + shift : k + shift - n); });
             else if (n_.path_end[p][1].at_joint())
@@ -210,7 +171,7 @@ class Builder {
                 triangle(c, ring[k], ring[(k + 1) % ring.size()],
                          out_.capped_pole + static_cast<std::uint32_t>(i));
         }
-        static const auto faces = make_sphere_faces();
+        const auto& faces = lone_sphere_faces();
         for (std::size_t i = 0; i < n_.lone.size(); ++i) {
             const auto base = out_.lone_vertex + static_cast<std::uint32_t>(i * lone_sphere_points().size());
             for (const auto& f : faces) quad(c, base + f[0], base + f[1], base + f[2], base + f[3]);
@@ -226,11 +187,6 @@ class Builder {
 };
 
 }  // namespace
-
-const std::array<std::array<int, 3>, 26>& lone_sphere_points() {
-    static const auto points = make_sphere_points();
-    return points;
-}
 
 void joint_ring_of_path(const Parts& d, std::int32_t path, int end, std::vector<std::uint32_t>& ring) {
     const PathEnd& e = d.network.path_end[path][end];

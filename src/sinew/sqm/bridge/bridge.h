@@ -14,6 +14,7 @@
 
 #include "sinew/base/progress.h"
 #include "sinew/mesh/quad_mesh.h"
+#include "sinew/sqm/bridge/lone_sphere.h"
 #include "sinew/sqm/points/joint_points.h"
 #include "sinew/sqm/rings/station.h"
 
@@ -55,9 +56,5 @@ Result<Bridge> bridge(const Parts& parts, const Progress& progress = {});
 
 /// The ring of the joint at one end of a path, in the path's sense; entry k is where column k ends.
 void joint_ring_of_path(const Parts& parts, std::int32_t path, int end, std::vector<std::uint32_t>& ring);
-
-/// Corner directions (not unit) of the 26 vertices of a lone node's sphere: those of a cube of 3 x 3 x 3
-/// points but its middle.
-const std::array<std::array<int, 3>, 26>& lone_sphere_points();
 
 }  // namespace sinew::sqm

@@ -68,6 +68,7 @@ class FeatureWriter {
             const Station& next = d_.stations.stations[first + i + 1];
             const std::uint32_t band = bands + i * sides(p);
             if (ring.to_next == BoneKind::plate) {
+                // It looks along the path where that gets narrower, and back where it gets wider.
                 const double sign = next.half.sum() < ring.half.sum() ? 1 : -1;
                 plane((sign > 0 ? ring : next).centre, sign * ring.tangent, faces(band, sides(p)));
             } else if (ring.shape == RingShape::outline && next.shape == RingShape::outline) {
@@ -75,7 +76,7 @@ class FeatureWriter {
                 if (ring.to_next == BoneKind::side) box_sides(p, i, band);
             }
         }
-        ends(p, rings);
+        for (int end = 0; end < 2; ++end) end_features(p, end);
     }
 
     void ring_features(std::int32_t p, std::int32_t i, const Station& ring) {
@@ -148,40 +149,58 @@ class FeatureWriter {
         }
     }
 
-    /// Flat ends, the faces of box joints, and beams that go on flush from them.
-    void ends(std::int32_t p, std::int32_t rings) {
-        const std::int32_t first = d_.stations.first[p], n = sides(p);
+    void end_features(std::int32_t p, int end) {
+        flat_end(p, end);
+        const PathEnd& e = n_.path_end[p][end];
+        const Form* body = e.at_joint() ? d_.surfaces.body[e.joint] : nullptr;
+        if (!body || body->kind != Form::Kind::box) return;
+        if (is_face_of_box(p, end))
+            box_face(e, *body, faces(band_at(p, end), sides(p)));
+        else if (goes_on_flush(p, end))
+            flush_edges(p, end);
+    }
+    std::int32_t ring_count(std::int32_t p) const { return d_.stations.first[p + 1] - d_.stations.first[p]; }
+    std::int32_t ring_at(std::int32_t p, int end) const { return end == 0 ? 0 : ring_count(p) - 1; }
+    const Station& station_at(std::int32_t p, int end) const {
+        return d_.stations.stations[d_.stations.first[p] + ring_at(p, end)];
+    }
+    BoneKind bone_kind(std::int32_t p, int end) const {
+        return d_.skeleton.bone_kind[n_.bones(p)[end == 0 ? 0 : n_.nodes(p).size() - 2]];
+    }
+    /// The first of the faces at one end of a path: of a fan, or of the band next to a joint.
+    std::uint32_t band_at(std::int32_t p, int end) const {
+        return end == 0 ? b_.path_face[p] : b_.path_face[p + 1] - sides(p);
+    }
+
+    /// The disc at a flat end.
+    void flat_end(std::int32_t p, int end) {
+        if (b_.path_pole[p][end] == no_vertex || cap(p, end) != Cap::flat || ring_count(p) == 0) return;
+        const Station& ring = station_at(p, end);
+        plane(ring.centre, end == 0 ? Vec3(-ring.tangent) : ring.tangent, faces(band_at(p, end), sides(p)));
+    }
+    /// Whether the faces next to a box lie in its own face: a fan where nothing leaves it there, or the band
+    /// to the ring that the face has as a hole.
+    bool is_face_of_box(std::int32_t p, int end) const {
+        return ring_count(p) == 0 ? cap(p, 1 - end) == Cap::surface : bone_kind(p, end) == BoneKind::body;
+    }
+    void box_face(const PathEnd& e, const Form& box, std::vector<std::uint32_t> list) {
+        const Vec3& normal = d_.polyhedra.sites[d_.polyhedra.cell_first[e.joint] + e.slot];
+        const Vec3& centre = d_.skeleton.position[n_.joint_node[e.joint]];
+        const Vec3 local(normal.dot(box.x), normal.dot(box.y), normal.dot(box.z));
+        plane(centre + local.cwiseAbs().dot(box.half) * normal, normal, std::move(list));
+    }
+    /// Whether a beam leaves a box with the outline of its face.
+    bool goes_on_flush(std::int32_t p, int end) const {
+        return ring_count(p) > 0 && bone_kind(p, end) == BoneKind::tube &&
+               station_at(p, end).shape == RingShape::outline;
+    }
+    /// The edges of such a beam are those of the box: they go on from its corners.
+    void flush_edges(std::int32_t p, int end) {
         std::vector<std::uint32_t> joint_ring;
-        for (int end = 0; end < 2; ++end) {
-            const std::uint32_t fan = end == 0 ? b_.path_face[p] : b_.path_face[p + 1] - n;
-            if (!n_.path_closed[p] && b_.path_pole[p][end] != no_vertex && cap(p, end) == Cap::flat &&
-                rings > 0) {
-                const Station& ring = d_.stations.stations[end == 0 ? first : first + rings - 1];
-                plane(ring.centre, end == 0 ? Vec3(-ring.tangent) : ring.tangent, faces(fan, n));
-            }
-            const PathEnd& e = n_.path_end[p][end];
-            const Form* body = e.at_joint() ? d_.surfaces.body[e.joint] : nullptr;
-            if (!body || body->kind != Form::Kind::box) continue;
-            const Vec3& normal = d_.polyhedra.sites[d_.polyhedra.cell_first[e.joint] + e.slot];
-            const Vec3& centre = d_.skeleton.position[n_.joint_node[e.joint]];
-            const Vec3 local(normal.dot(body->x), normal.dot(body->y), normal.dot(body->z));
-            const Vec3 middle = centre + local.cwiseAbs().dot(body->half) * normal;
-            if (rings == 0) {
-                if (cap(p, 1 - end) == Cap::surface)
-                    plane(middle, normal, faces(end == 0 ? b_.path_face[p + 1] - n : b_.path_face[p], n));
-                continue;
-            }
-            const std::int32_t at = end == 0 ? 0 : rings - 1;
-            const BoneKind kind = d_.skeleton.bone_kind[n_.bones(p)[end == 0 ? 0 : n_.nodes(p).size() - 2]];
-            if (kind == BoneKind::tube && d_.stations.stations[first + at].shape == RingShape::outline) {
-                joint_ring_of_path(d_, p, end, joint_ring);
-                for (int c = 0; c < 4; ++c) {
-                    const std::int32_t column = corner_column(d_.stations.corner[p], c, n);
-                    crease(joint_ring[column], vertex(p, at, column), infinite);
-                }
-            } else if (kind == BoneKind::body) {
-                plane(middle, normal, faces(end == 0 ? b_.path_face[p] : b_.path_face[p + 1] - n, n));
-            }
+        joint_ring_of_path(d_, p, end, joint_ring);
+        for (int c = 0; c < 4; ++c) {
+            const std::int32_t column = corner_column(d_.stations.corner[p], c, sides(p));
+            crease(joint_ring[column], vertex(p, ring_at(p, end), column), infinite);
         }
     }
 

@@ -4,6 +4,21 @@
 #include <numeric>
 
 namespace sinew::sqm {
+namespace {
+
+/// Lengths of arcs that are images of each other differ by rounding: of such the first one is taken.
+constexpr double by_more_than_rounding = 1 + 1e-9;
+
+constexpr std::int32_t no_state = -1;
+// Instead of the arc of a step:
+constexpr std::int32_t not_reached = -1, start_of_walk = -2;
+
+constexpr std::int32_t short_at(std::int32_t cell) { return 2 * cell; }
+constexpr std::int32_t over_at(std::int32_t cell) { return 2 * cell + 1; }
+constexpr std::int32_t cell_of(std::int32_t state) { return state / 2; }
+constexpr bool is_short(std::int32_t state) { return state % 2 == 0; }
+
+}  // namespace
 
 void CountProblem::change(CountArc& arc, std::int32_t by) {
     arc.pieces += by;
@@ -38,7 +53,8 @@ bool CountProblem::take_both_lacking() {
     for (CountArc& arc : arcs) {
         const bool lacking =
             lack_[arc.a] > 0 && (arc.b < 0 || (arc.b == arc.a ? lack_[arc.a] > 1 : lack_[arc.b] > 0));
-        if (lacking && (!best || room(arc) > room(*best) * (1 + 1e-9))) best = &arc;
+        if (lacking && (!best || piece_length(arc) > piece_length(*best) * by_more_than_rounding))
+            best = &arc;
     }
     if (best) change(*best, 1);
     return best != nullptr;
@@ -54,7 +70,8 @@ bool CountProblem::take_free(std::int32_t cell) {
         const std::int32_t beyond = other(arc, cell);
         if (beyond < 0 || beyond == cell || cells[beyond].exact) continue;
         const bool cheap = cells[beyond].cheap;
-        if (!best || cheap > best_cheap || (cheap == best_cheap && room(arc) > room(*best) * (1 + 1e-9))) {
+        if (!best || cheap > best_cheap ||
+            (cheap == best_cheap && piece_length(arc) > piece_length(*best) * by_more_than_rounding)) {
             best = &arc;
             best_cheap = cheap;
         }
@@ -63,40 +80,51 @@ bool CountProblem::take_free(std::int32_t cell) {
     return best != nullptr;
 }
 
-/// States of the search: 2 cell (it lacks a piece) and 2 cell + 1 (it has one too many).
-bool CountProblem::take_walk(std::int32_t cell) {
-    for (std::size_t attempt = 0; attempt <= arcs.size(); ++attempt) {
-        steps_.assign(2 * cells.size(), {});
-        steps_[2 * cell].arc = -2;
-        queue_.assign(1, 2 * cell);
-        std::int32_t end = -1;
-        for (std::size_t head = 0; head < queue_.size() && end < 0; ++head) {
-            const std::int32_t state = queue_[head], at = state / 2;
-            const bool lacks = state % 2 == 0;
-            for (std::int32_t i = arc_first_[at]; i < arc_first_[at + 1] && end < 0; ++i) {
-                const std::int32_t arc = cell_arcs_[i], beyond = other(arcs[arc], at);
-                if (!lacks && (blocked_[arc] || arcs[arc].pieces <= arcs[arc].least)) continue;
-                if (beyond < 0) {
-                    steps_.push_back({arc, state});  // an arc of one cell: the walk ends in the open
-                    end = static_cast<std::int32_t>(steps_.size()) - 1;
-                    break;
-                }
-                const std::int32_t next = 2 * beyond + (lacks ? 1 : 0);
-                if (steps_[next].arc != -1) continue;
-                steps_[next] = {arc, state};
-                const bool settled = lacks
-                                         ? (!cells[beyond].exact || lack_[beyond] > (beyond == cell ? 1 : 0))
-                                         : (!cells[beyond].exact && lack_[beyond] < 0);
-                if (settled)
-                    end = next;
-                else
-                    queue_.push_back(next);
+/// Breadth first, from a cell that lacks a piece to the nearest place where a walk may end: a state is a cell
+/// together with whether it would be a piece short or have one over if the walk ended there.
+/// @return the state that the walk ends in; no_state if there is no walk
+std::int32_t CountProblem::find_walk(std::int32_t cell) {
+    steps_.assign(2 * cells.size(), {});
+    steps_[short_at(cell)].arc = start_of_walk;
+    queue_.assign(1, short_at(cell));
+    for (std::size_t head = 0; head < queue_.size(); ++head) {
+        const std::int32_t state = queue_[head], at = cell_of(state);
+        for (std::int32_t i = arc_first_[at]; i < arc_first_[at + 1]; ++i) {
+            const std::int32_t arc = cell_arcs_[i], beyond = other(arcs[arc], at);
+            if (!is_short(state) && !may_lower(arc)) continue;
+            if (beyond <
+                0) {  // an arc that has no cell on its other side, where a piece more or less matters
+                steps_.push_back({arc, state});
+                return static_cast<std::int32_t>(steps_.size()) - 1;
             }
+            // An arc is raised for a cell that is short, which its other cell then has over; and lowered for
+            // one that has a piece over, of which its other cell is then short.
+            const std::int32_t next = is_short(state) ? over_at(beyond) : short_at(beyond);
+            if (steps_[next].arc != not_reached) continue;
+            steps_[next] = {arc, state};
+            if (is_short(state) ? takes_one_more(beyond, cell) : spares_one(beyond)) return next;
+            queue_.push_back(next);
         }
-        if (end < 0) return false;
+    }
+    return no_state;
+}
+
+/// Whether a cell may get a piece, beside the one that the cell which the walk starts from is to get.
+bool CountProblem::takes_one_more(std::int32_t cell, std::int32_t start) const {
+    return !cells[cell].exact || lack_[cell] > (cell == start ? 1 : 0);
+}
+bool CountProblem::spares_one(std::int32_t cell) const { return !cells[cell].exact && lack_[cell] < 0; }
+bool CountProblem::may_lower(std::int32_t arc) const {
+    return !blocked_[arc] && arcs[arc].pieces > arcs[arc].least;
+}
+
+/// A walk that fails blocks an arc that was not blocked, so that there are no more tries than arcs, and one.
+bool CountProblem::take_walk(std::int32_t cell) {
+    for (;;) {
+        const std::int32_t end = find_walk(cell);
+        if (end == no_state) return false;
         if (apply_walk(end)) return true;
     }
-    return false;
 }
 
 /// Raises and lowers the arcs of the walk that ends in a state. If it would lower one arc too often, it
@@ -105,7 +133,7 @@ bool CountProblem::apply_walk(std::int32_t state) {
     std::vector<std::pair<std::int32_t, std::int32_t>> done;
     for (std::int32_t at = state; steps_[at].arc >= 0; at = steps_[at].from) {
         CountArc& arc = arcs[steps_[at].arc];
-        const std::int32_t by = steps_[at].from % 2 == 0 ? 1 : -1;
+        const std::int32_t by = is_short(steps_[at].from) ? 1 : -1;
         change(arc, by);
         done.emplace_back(steps_[at].arc, by);
     }

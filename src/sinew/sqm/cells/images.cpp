@@ -6,6 +6,10 @@
 namespace sinew::sqm {
 namespace {
 
+/// How far from the image of a direction, squared, the one may lie that is taken for it. Images differ by the
+/// rounding of doubles alone, and directions of one joint are a tenth or so apart: anything between does.
+constexpr double same_place = 1e-12;
+
 /// Finds the images one kind after the other; stops at the first thing without one.
 class Search {
   public:
@@ -48,7 +52,7 @@ class Search {
             for (std::int32_t i = first[j]; i < first[j + 1]; ++i) {
                 const Vec3 at = images_.generator * points[i];
                 std::int32_t best = -1;
-                double nearest = 1e-12;
+                double nearest = same_place;
                 for (std::int32_t m = first[k]; m < first[k + 1]; ++m)
                     if (const double d = (points[m] - at).squaredNorm(); d < nearest) nearest = d, best = m;
                 if (best < 0 || taken[best]) return false;

@@ -1,4 +1,4 @@
-/// @file symmetry.h
+/// @file images.h
 /// What a symmetry of the skeleton does to its joints, cells, arcs and paths.
 #pragma once
 

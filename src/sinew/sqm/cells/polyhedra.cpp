@@ -56,21 +56,35 @@ Vec3 face_normal(const Form& box, const Vec3& direction) {
     return direction.dot(axes[face]) < 0 ? Vec3(-axes[face]) : axes[face];
 }
 
+void append_shifted(const std::vector<std::int32_t>& from, std::int32_t by, std::vector<std::int32_t>& to) {
+    std::for_each(from.begin() + 1, from.end(), [&](std::int32_t i) { to.push_back(i + by); });
+}
+/// Appends cells with their vertices, arcs and sides, but not which joints they belong to.
+/// @param from  SphericalCells, or other Polyhedra
+template <class Cells>
+void append_cells(const Cells& from, Polyhedra& to) {
+    const std::int32_t cell = to.cell_count(), vertex = static_cast<std::int32_t>(to.vertices.size()),
+                       arc = static_cast<std::int32_t>(to.arcs.size());
+    append_shifted(from.side_first, static_cast<std::int32_t>(to.sides.size()), to.side_first);
+    to.sites.insert(to.sites.end(), from.sites.begin(), from.sites.end());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    for (const CellArc& a : from.arcs)
+        to.arcs.push_back({a.from + vertex, a.to + vertex, a.left + cell, a.right + cell});
+    for (const CellSide& s : from.sides) to.sides.push_back({s.arc + arc, s.reversed});
+}
 /// Appends the cells of one joint.
 void append(const SphericalCells& cells, Polyhedra& out) {
-    const std::int32_t cell = out.cell_count(), vertex = static_cast<std::int32_t>(out.vertices.size());
-    const std::int32_t arc = static_cast<std::int32_t>(out.arcs.size()),
-                       side = static_cast<std::int32_t>(out.sides.size());
-    out.sites.insert(out.sites.end(), cells.sites.begin(), cells.sites.end());
-    out.vertices.insert(out.vertices.end(), cells.vertices.begin(), cells.vertices.end());
-    for (const CellArc& a : cells.arcs)
-        out.arcs.push_back({a.from + vertex, a.to + vertex, a.left + cell, a.right + cell});
-    for (std::size_t c = 1; c < cells.side_first.size(); ++c)
-        out.side_first.push_back(cells.side_first[c] + side);
-    for (const CellSide& s : cells.sides) out.sides.push_back({s.arc + arc, s.reversed});
+    append_cells(cells, out);
     out.cell_first.push_back(out.cell_count());
     out.vertex_first.push_back(static_cast<std::int32_t>(out.vertices.size()));
     out.arc_first.push_back(static_cast<std::int32_t>(out.arcs.size()));
+}
+/// Appends the cells of many joints.
+void append(const Polyhedra& from, Polyhedra& to) {
+    append_shifted(from.cell_first, to.cell_first.back(), to.cell_first);
+    append_shifted(from.vertex_first, to.vertex_first.back(), to.vertex_first);
+    append_shifted(from.arc_first, to.arc_first.back(), to.arc_first);
+    append_cells(from, to);
 }
 
 void clear(Polyhedra& p) {
@@ -95,25 +109,6 @@ void find_cells(const Plain& skeleton, const Network& network, std::int32_t begi
         for (Vec3& site : cells.sites) site = from_ball_space(form, site);
         append(cells, out);
     }
-}
-
-/// Appends the cells of many joints.
-void append(const Polyhedra& from, Polyhedra& to) {
-    const std::int32_t cell = to.cell_count(), vertex = to.vertex_first.back(), arc = to.arc_first.back();
-    const auto side = static_cast<std::int32_t>(to.sides.size());
-    const auto append_shifted = [](std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b,
-                                   std::int32_t by) {
-        std::for_each(b.begin() + 1, b.end(), [&](std::int32_t i) { a.push_back(i + by); });
-    };
-    append_shifted(to.cell_first, from.cell_first, cell);
-    append_shifted(to.vertex_first, from.vertex_first, vertex);
-    append_shifted(to.arc_first, from.arc_first, arc);
-    append_shifted(to.side_first, from.side_first, side);
-    to.sites.insert(to.sites.end(), from.sites.begin(), from.sites.end());
-    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
-    for (const CellArc& a : from.arcs)
-        to.arcs.push_back({a.from + vertex, a.to + vertex, a.left + cell, a.right + cell});
-    for (const CellSide& s : from.sides) to.sides.push_back({s.arc + arc, s.reversed});
 }
 
 /// Room for all joints, if no cells are added.

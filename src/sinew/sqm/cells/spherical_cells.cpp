@@ -14,12 +14,32 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr double least_separation =
-    0.12;  // radians between two directions: tubes closer than that are drawn apart
-constexpr double shortest_arc = 0.12;  // radians; shorter arcs are merged to a point
-constexpr double opposite = 0.9;       // minus the cosine between vertices that are
-constexpr double no_length = 1e-4;     // radians; directions are exact to about that much
-constexpr int most_sides = 6;          // cells round a vertex, so that its valence is at most 12
+/// Radians between two directions: closer ones are pushed apart, or the tubes would have no cells to leave
+/// by. Each is then moved by up to half of it, out of its bone's axis. Of 1,500 random stars of 3 to 8 bones,
+/// up to three of them within 0.25 of each other, 15 meshes cross themselves with 0.03, 13 with 0.06, 14 with
+/// 0.12, and 49 with 0.24.
+constexpr double least_separation = 0.12;
+/// Radians; the ends of shorter arcs are merged to a point: one irregular vertex stands for two. Of
+/// 1,500 random stars of 3 to 12 bones 26 have a folded quad with 0.06, 22 with 0.12, and 35 with 0.24.
+constexpr double shortest_arc = 0.12;
+/// Radians. The hull rounds directions to a grid of 2^-18, or 4e-6; where four of them lie on one circle that
+/// leaves an arc of about as much, times how flat the triangles are that they make.
+constexpr double no_length = 1e-4;
+/// Minus the cosine from which two vertices count as opposite, the ends of a lune. It parts two kinds that
+/// differ much: merging moves a vertex by half an arc, 0.06, at a time, and sides that are no lune's end at
+/// another corner of the cell.
+constexpr double opposite = 0.9;
+constexpr int most_sides = 6;  // cells round a vertex, so that its valence is at most 12
+
+// Pushing directions apart:
+/// The nearest of a sunflower's seeds at the distances c, c sqrt 2, c sqrt 3, ... have about sqrt(pi) c
+/// between them, as each takes the area pi c^2: this makes it the least separation.
+constexpr double seed_spacing = 0.6;
+/// Each of two directions goes half of what lacks between them, and a little more, so that it ends.
+constexpr double own_half = 0.51;
+constexpr double near_enough = 0.98;  // of the squared separation
+constexpr double longest_push = 0.5;  // of the separation: many neighbours push too hard together
+constexpr int most_pushes = 64;       // 16 do for all of the stars above
 
 Vec3 any_normal_to(const Vec3& v) {
     int least = 0;
@@ -29,7 +49,7 @@ Vec3 any_normal_to(const Vec3& v) {
 
 /// Lays equal directions out on a small disc, as a sunflower does its seeds, so that all are apart.
 void part_equal(std::vector<Vec3>& sites, double spacing) {
-    constexpr double golden = 2.399963229728653;
+    constexpr double golden = 2.399963229728653;  // radians: pi (3 - sqrt 5)
     const std::vector<Vec3> drawn = sites;
     for (std::size_t i = 1; i < sites.size(); ++i) {
         const auto equal = [&](const Vec3& other) { return (drawn[i] - other).squaredNorm() <= 1e-12; };
@@ -53,21 +73,20 @@ bool too_close(std::span<const Vec3> sites, double square) {
 void separate(std::vector<Vec3>& sites, std::vector<Vec3>& push) {
     const double least = std::min(least_separation, 1 / std::sqrt(static_cast<double>(sites.size())));
     if (!too_close(sites, least * least)) return;
-    part_equal(sites, 0.6 * least);
-    for (int round = 0; round < 64 && too_close(sites, 0.98 * least * least); ++round) {
+    part_equal(sites, seed_spacing * least);
+    for (int round = 0; round < most_pushes && too_close(sites, near_enough * least * least); ++round) {
         push.assign(sites.size(), Vec3::Zero());
         for (std::size_t i = 1; i < sites.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
                 const Vec3 apart = sites[i] - sites[j];
                 const double distance = apart.norm();
                 if (distance >= least) continue;
-                const Vec3 half = apart * (0.51 * (least - distance) / distance);
+                const Vec3 half = apart * (own_half * (least - distance) / distance);
                 push[i] += half;
                 push[j] -= half;
             }
         for (std::size_t i = 0; i < sites.size(); ++i) {
-            const double far =
-                std::max(1.0, push[i].norm() / (0.5 * least));  // many neighbours push too hard
+            const double far = std::max(1.0, push[i].norm() / (longest_push * least));
             sites[i] = (sites[i] + push[i] / far).normalized();
         }
     }

@@ -14,6 +14,8 @@ namespace sinew::sqm {
 namespace {
 
 constexpr std::int32_t unknown = 0;
+/// How many counts a path with corners tries beyond its least one, before it may have any: its count is then
+/// still a multiple of four, so that its corners are evenly spread, unless no such number does.
 constexpr int most_tries = 4;
 /// Vertices round a path: far above what any joint was ever seen to need.
 constexpr std::int32_t hopeless = 1024;
@@ -137,6 +139,8 @@ class Refiner {
     /// of one component must agree: when one needs more, all the others are solved again with that.
     bool solve_core(const Progress& progress) {
         std::vector<std::int32_t> count(regions_.components, 4);
+        // An odd count can never be had by all cells of a joint of an odd number of them: each piece counts
+        // in two cells. Where there is no such joint it might, but the count must not hang on that.
         std::vector<std::int32_t> step(regions_.components, options_.sides > 0 ? 1 : 2);
         for_core_paths([&](std::int32_t path, std::int32_t c) {
             count[c] = std::max(count[c], needs_.least[path]);
@@ -189,52 +193,56 @@ class Refiner {
         return count;
     }
 
-    /// The joints of trees, from their roots outward; the core's joints are solved already.
+    /// The joints of trees, from the core or from their roots outward, breadth first; the core's joints are
+    /// solved already.
     bool solve_trees() {
-        std::vector<std::uint8_t> done(core_joint_);
-        std::vector<std::int32_t> queue;
-        JointProblem joint(skeleton_, n_, p_, surfaces_, images_);
-        auto settle = [&](std::int32_t j, bool solved) {
-            for (std::int32_t k = j;;) {  // the joint and its images
-                done[k] = 1;
-                n_.for_slots(k, [&](std::int32_t slot, std::int32_t path) {
-                    out_.path_sides[path] = sum_of_cell(p_, p_.cell_first[k] + slot, out_.pieces);
-                    const std::int32_t next = n_.joint_beyond(path, k);
-                    if (next >= 0 && !done[next]) queue.push_back(next);
-                });
-                if (!images_.any() || !solved) break;
-                k = images_.joint[k];
-                if (k == j) break;
-            }
-        };
-        auto solve = [&](std::int32_t j) {
-            if (!settle_box(j, unknown) && !settle_for_least(j, unknown)) {
-                joint.take(j);
-                if (!solve_joint(joint, j, unknown)) return false;
-                write(joint, j);
-            }
-            settle(j, true);
-            return true;
-        };
+        done_ = core_joint_;
         for (std::int32_t j = 0; j < n_.joint_count(); ++j)
-            if (core_joint_[j]) settle(j, false);
-        std::size_t head = 0;
-        auto drain = [&] {
-            for (; head < queue.size(); ++head)
-                if (!done[queue[head]] && !solve(queue[head])) return false;
-            return true;
-        };
-        if (!drain()) return false;
-        for (const std::int32_t root : tree_roots(done))
-            if ((!done[root] && !solve(root)) || !drain()) return false;
+            if (core_joint_[j]) pass_on_counts(j);
+        JointProblem joint(skeleton_, n_, p_, surfaces_, images_);
+        if (!solve_waiting(joint)) return false;
+        for (const std::int32_t root : tree_roots()) {
+            waiting_.push_back(root);
+            if (!solve_waiting(joint)) return false;
+        }
         return true;
+    }
+    /// Solves the joints that wait, and those that begin to wait on account of them.
+    bool solve_waiting(JointProblem& joint) {
+        for (; next_waiting_ < waiting_.size(); ++next_waiting_)
+            if (const std::int32_t j = waiting_[next_waiting_]; !done_[j] && !solve_tree_joint(joint, j))
+                return false;
+        return true;
+    }
+    /// Solves one joint of a tree, and with it its images.
+    bool solve_tree_joint(JointProblem& joint, std::int32_t j) {
+        if (!settle_box(j, unknown) && !settle_for_least(j, unknown)) {
+            joint.take(j);
+            if (!solve_joint(joint, j, unknown)) return false;
+            write(joint, j);
+        }
+        std::int32_t image = j;
+        do {
+            pass_on_counts(image);
+            if (images_.any()) image = images_.joint[image];
+        } while (image != j);
+        return true;
+    }
+    /// The paths of a solved joint have the counts of its cells, and the joints beyond them are next.
+    void pass_on_counts(std::int32_t j) {
+        done_[j] = 1;
+        n_.for_slots(j, [&](std::int32_t slot, std::int32_t path) {
+            out_.path_sides[path] = sum_of_cell(p_, p_.cell_first[j] + slot, out_.pieces);
+            const std::int32_t beyond = n_.joint_beyond(path, j);
+            if (beyond >= 0 && !done_[beyond]) waiting_.push_back(beyond);
+        });
     }
 
     /// A root for each component of trees: a joint that the symmetry keeps in place if there is one.
-    std::vector<std::int32_t> tree_roots(const std::vector<std::uint8_t>& done) const {
+    std::vector<std::int32_t> tree_roots() const {
         std::vector<std::int32_t> root(regions_.components, -1);
         for (std::int32_t j = 0; j < n_.joint_count(); ++j) {
-            if (done[j]) continue;
+            if (done_[j]) continue;
             std::int32_t& r = root[regions_.component[j]];
             if (r < 0 || (images_.any() && images_.joint[r] != r && images_.joint[j] == j)) r = j;
         }
@@ -268,6 +276,10 @@ class Refiner {
     Regions regions_;
     PathNeeds needs_;
     std::vector<std::uint8_t> core_joint_;
+    // While trees are solved:
+    std::vector<std::uint8_t> done_;     ///< joint -> its pieces are known
+    std::vector<std::int32_t> waiting_;  ///< joints, in the order in which they are solved
+    std::size_t next_waiting_ = 0;
     Refinement out_;
 };
 

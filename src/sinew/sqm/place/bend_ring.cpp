@@ -5,6 +5,18 @@
 #include <limits>
 
 namespace sinew::sqm {
+namespace {
+
+/// How near to each other the planes of two bends may come, of the bone between them, on a line along it.
+constexpr double least_between = 0.02;
+/// Cosine between a plane's normal and a bone below which the plane is along the bone: it cuts it nowhere.
+constexpr double along_bone = 1e-3;
+/// How much further out one cone is than the other, of its distance, from which a vertex is on the inner side
+/// of the bend: on the outer side the exits are equal but for rounding, and the cones meet at a grazing
+/// angle.
+constexpr double same_exit = 1e-3;
+
+}  // namespace
 
 BendRing::BendRing(const Station& ring, const ConeFrom& before, const ConeFrom& after)
     : ring_(ring), cone_{before, after} {}
@@ -17,8 +29,8 @@ void BendRing::give_room(double over_before, double over_after) {
 void BendRing::keep_from(const Station& next, bool is_before) {
     const ConeFrom& bone = cone_[is_before ? 0 : 1];
     const double here = ring_.tangent.dot(bone.axis), there = next.tangent.dot(bone.axis);
-    if (std::abs(here) < 1e-3 || std::abs(there) < 1e-3) return;
-    const Vec3 closing = (next.tangent / there - ring_.tangent / here) / (0.98 * bone.length);
+    if (std::abs(here) < along_bone || std::abs(there) < along_bone) return;
+    const Vec3 closing = (next.tangent / there - ring_.tangent / here) / ((1 - least_between) * bone.length);
     if (closing.norm() * ring_.half.x() > 1) closing_[is_before ? 0 : 1] = closing;
 }
 
@@ -33,16 +45,20 @@ double BendRing::most(const Vec3& ray) const {
     return most;
 }
 
-/// Along the ring's normal beside a ray, the place where both cones have their sides: with s the sine and c
-/// the cosine of a cone's slope and x . d the height along its bone, its side has |x|^2 - r^2 = ((x . d - r
-/// s) / c)^2.
+/// In the plane of a ray and the ring's normal, the place where the sides of both cones meet.
+///
+/// A place x, from the common centre, is on the side of a cone that goes on in the unit direction d if the
+/// tangent from there to the ball of radius r has the length of the side below x. With s the sine and c the
+/// cosine of the slope the side begins at the height r s, so its length at the height x . d is
+/// (x . d - r s) / c, and |x|^2 - r^2 = ((x . d - r s) / c)^2. Both cones have the same |x|^2 - r^2, so both
+/// lengths are equal: that is a plane. Put x = t ray + h normal: the plane gives h = h0 + h1 t, the length
+/// becomes p + q t, and what is left is the quadratic t^2 + h^2 - r^2 = (p + q t)^2.
 bool BendRing::meet(const Vec3& ray, Vec3& place) const {
     const auto& [a, b] = cone_;
     const double r = a.near;
     const Vec3 &along = ring_.tangent, away = a.axis / a.cosine - b.axis / b.cosine;
     const double slant = along.dot(away);
     if (std::abs(slant) < 1e-6) return false;
-    // At t times the ray, h = h0 + h1 t along the normal; the height on the side is p + q t.
     const double h0 = r * (a.sine / a.cosine - b.sine / b.cosine) / slant, h1 = -ray.dot(away) / slant;
     const double p = (h0 * along.dot(a.axis) - r * a.sine) / a.cosine,
                  q = (ray.dot(a.axis) + h1 * along.dot(a.axis)) / a.cosine;
@@ -62,7 +78,7 @@ bool BendRing::meet(const Vec3& ray, Vec3& place) const {
 Vec3 BendRing::at(const Vec3& ray) const {
     const double before = cone_[0].exit(ray), after = cone_[1].exit(ray), exit = std::max(before, after);
     Vec3 place;
-    if (std::abs(before - after) > 1e-3 * exit && !cone_[0].nested() && !cone_[1].nested() &&
+    if (std::abs(before - after) > same_exit * exit && !cone_[0].nested() && !cone_[1].nested() &&
         meet(ray, place))
         return ring_.centre + place;
     return ring_.centre + std::min(exit, most(ray)) * ray;

@@ -11,11 +11,22 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr double straight_down = 0.8;  // of the way to the joint's centre: deeper walls do not lead there
-constexpr double halfway = 0.6;        // of the way to a cell's border, where the groove goes on beyond it
-constexpr double nearest_way = 0.3;    // the same, at least
-constexpr double bulge = 0.4;          // of the way from there back to the rim's vertices beside it
-constexpr int rim_samples = 48;        // of the part of a rim that lies in a cell
+/// Depth, of the middle's distance from the joint's centre, from which a dent's vertices are placed straight
+/// below its opening: the floor of a deeper one is so near to the centre that rays from there meet its wall
+/// nearly along it, and vertices on them would gather at the bottom.
+constexpr double deep = 0.8;
+// Where a column ends in a groove, its widest vertex is on the floor, between the dent's axis (0) and the
+// cell's border (1). There the groove goes on into the next cell, whose columns do the same from the other
+// side; so these say no more than how evenly the floor is divided.
+constexpr double on_floor = 0.6;          // if there is no rim beside it to tell
+constexpr double nearest_on_floor = 0.3;  // not so near to the axis that the dent's inner rings are squeezed
+/// How far the line of such vertices follows the rim's vertices beside it away from the border: at 1 it would
+/// join them straight, at 0 lie on the border.
+constexpr double bulge = 0.4;
+/// Of the part of a rim that lies in a cell. The length of a half circle of so many chords is wrong by
+/// (pi / 48)^2 / 24 = 0.02 %.
+constexpr int rim_samples = 48;
+constexpr int surface_steps = 6;  // to find the surface over an opening, see on_wall
 
 /// One dent, at one end of a path.
 class DentRings {
@@ -36,13 +47,14 @@ class DentRings {
         const Stations& s = d_.stations;
         const std::int32_t sides = d_.refinement.path_sides[path_];
         const bool crowded = is_crowded();
-        if (crowded) find_ways();
+        if (crowded) find_widest();
         for (std::int32_t i = s.first[path_]; i < s.first[path_ + 1]; ++i) {
             const Station& ring = s.stations[i];
             if (ring.shape != RingShape::pit) continue;
             Vec3f* at = &out_.mesh.positions[first_of_ring(d_, out_, path_, i)];
             for (std::int32_t k = 0; k < sides; ++k)
-                at[k] = (crowded ? on_way(k, ring.share) : on_wall(rim(ring, k), ring.share)).cast<float>();
+                at[k] =
+                    (crowded ? in_column(k, ring.share) : on_wall(rim(ring, k), ring.share)).cast<float>();
         }
     }
 
@@ -51,10 +63,10 @@ class DentRings {
     bool is_crowded() const {
         if (merges(d_.surfaces, joint_, slot_)) return true;
         for (const std::uint32_t v : border_) {
-            const Vec3 way = (d_.points.position[v] - centre_).normalized();
-            const double lean = way.dot(pit_.z);
+            const Vec3 ray = (d_.points.position[v] - centre_).normalized();
+            const double lean = ray.dot(pit_.z);
             if (lean <= 0) continue;
-            const Vec3 over = (pit_.middle - centre_).dot(pit_.z) / lean * way + centre_ - pit_.middle;
+            const Vec3 over = (pit_.middle - centre_).dot(pit_.z) / lean * ray + centre_ - pit_.middle;
             if (Vec2(over.dot(pit_.x) / pit_.half.x(), over.dot(pit_.y) / pit_.half.y()).norm() <
                 1 / widest_rim)
                 return true;
@@ -76,26 +88,32 @@ class DentRings {
     /// joint's centre, as the joint's own vertices are; or straight down where the dent goes past that.
     Vec3 on_wall(const Vec3& rim, double share) const {
         Vec3 over = pit_.middle + share * rim;
-        for (int i = 0; i < 6; ++i) {  // the surface is nearly flat there: this settles fast
+        // On a ball each step leaves of the error the square of the sine at which the place is seen from the
+        // dent's axis: at 30 degrees a quarter.
+        for (int i = 0; i < surface_steps; ++i) {
             const Vec3 ray = (over - centre_).normalized();
             over += (centre_ + surface_of(ray) * ray - over).dot(pit_.z) * pit_.z;
         }
-        if (pit_.half.z() < straight_down * (pit_.middle - centre_).norm()) {
+        if (pit_.half.z() < deep * (pit_.middle - centre_).norm()) {
             const Vec3 ray = (over - centre_).normalized();
             return centre_ + press_dents(d_.surfaces, joint_, centre_, ray, (over - centre_).norm()) * ray;
         }
         return over - pit_.half.z() * std::sqrt(std::max(0.0, 1 - share * share)) * pit_.z;
     }
 
-    /// A vertex part of the way from the dent's axis to the widest of its column.
-    Vec3 on_way(std::int32_t k, double share) const {
-        const Vec3 ray = ray_towards(way_[k], share);
+    /// A vertex between the dent's axis and the widest of its column, which is on the surface itself if the
+    /// column ends outside of the groove.
+    Vec3 in_column(std::int32_t k, double share) const {
+        const Vec3 ray = ray_towards(widest_[k], share);
         return centre_ + (share == 1 && !inside_[k] ? surface_of(ray) : depth_of(ray)) * ray;
     }
-    Vec3 way_to(std::int32_t k) const { return (d_.points.position[border_[k]] - centre_).normalized(); }
+    Vec3 ray_to_border(std::int32_t k) const {
+        return (d_.points.position[border_[k]] - centre_).normalized();
+    }
+    /// Between the dent's axis, 0, and a ray, 1.
     Vec3 ray_towards(const Vec3& to, double share) const {
-        const GreatCircle way(pit_.z, to);
-        return way.sine > 1e-9 ? way.at(share) : pit_.z;
+        const GreatCircle arc(pit_.z, to);
+        return arc.sine > 1e-9 ? arc.at(share) : pit_.z;
     }
     double angle_to(const Vec3& ray) const {
         return portable::angle_of(pit_.z.cross(ray).norm(), pit_.z.dot(ray));
@@ -106,48 +124,60 @@ class DentRings {
         return rim_towards(n_, d_.surfaces, joint_, pit_, centre_, cosine * pit_.x + sine * pit_.y);
     }
 
+    /// Neighbouring columns that all end in the groove, or all outside of it.
+    struct Run {
+        std::int32_t begin, count;  ///< it may go on from the last column to the first
+        bool inside;
+    };
+    std::int32_t columns() const { return static_cast<std::int32_t>(border_.size()); }
+    std::int32_t wrapped(std::int32_t k) const { return k % columns(); }
+
+    /// All runs, beginning with one outside; none if all columns are alike.
+    std::vector<Run> find_runs() const {
+        std::int32_t first = -1;
+        for (std::int32_t k = 0; k < columns(); ++k)
+            if (!inside_[k] && inside_[wrapped(k + columns() - 1)]) first = k;
+        std::vector<Run> runs;
+        for (std::int32_t k = first; first >= 0 && k < first + columns(); k += runs.back().count) {
+            Run run{k, 1, inside_[wrapped(k)] != 0};
+            while (inside_[wrapped(k + run.count)] == inside_[wrapped(k)]) ++run.count;
+            runs.push_back(run);
+        }
+        return runs;
+    }
+
     /// Columns that end outside of the groove are spread evenly along the part of its rim that lies in the
     /// cell, so that edges go all along the rim. Between two such runs the others cross it, as the arc does
     /// that they end in.
-    void find_ways() {
-        const auto columns = static_cast<std::int32_t>(border_.size());
-        inside_.resize(columns), way_.resize(columns);
-        std::int32_t first = -1;  // of a run that ends outside
-        for (std::int32_t k = 0; k < columns; ++k)
+    void find_widest() {
+        inside_.resize(columns()), widest_.resize(columns());
+        for (std::int32_t k = 0; k < columns(); ++k)
             inside_[k] = in_dent(n_, d_.surfaces, joint_, centre_, d_.points.position[border_[k]]);
-        for (std::int32_t k = 0; k < columns; ++k)
-            if (!inside_[k] && inside_[(k + columns - 1) % columns]) first = k;
-        if (first < 0) {
-            for (std::int32_t k = 0; k < columns; ++k)
-                way_[k] = inside_[k] ? ray_towards(way_to(k), halfway) : rim_of(k);
-            return;
-        }
-        const auto for_runs = [&](bool inside, auto visit) {
-            for (std::int32_t k = first; k < first + columns;) {
-                std::int32_t count = 1;
-                while (inside_[(k + count) % columns] == inside_[k % columns]) ++count;
-                if ((inside_[k % columns] != 0) == inside) visit(k, count);
-                k += count;
-            }
-        };
-        for_runs(false, [&](std::int32_t begin, std::int32_t count) { along_rim(begin, count); });
-        for_runs(true, [&](std::int32_t begin, std::int32_t count) { across_groove(begin, count); });
+        const std::vector<Run> runs = find_runs();
+        for (const Run& run : runs)
+            if (!run.inside) along_rim(run);
+        for (const Run& run : runs)
+            if (run.inside) across_groove(run);
+        if (!runs.empty()) return;
+        for (std::int32_t k = 0; k < columns(); ++k)
+            widest_[k] = inside_[k] ? ray_towards(ray_to_border(k), on_floor) : rim_of(k);
     }
-    /// The rim on the way to the border, with room for the surface beyond it.
+    /// The rim towards the place where a column ends, with room for the surface beyond it.
     Vec3 rim_of(std::int32_t k) const {
-        const Vec3 to = way_to(k), rim = rim_towards(n_, d_.surfaces, joint_, pit_, centre_, to);
+        const Vec3 to = ray_to_border(k), rim = rim_towards(n_, d_.surfaces, joint_, pit_, centre_, to);
         return angle_to(rim) < widest_rim * angle_to(to) ? rim : ray_towards(to, widest_rim);
     }
-    void along_rim(std::int32_t begin, std::int32_t count) {
-        const auto columns = static_cast<std::int32_t>(border_.size());
-        if (count == 1) {
-            way_[begin % columns] = rim_of(begin % columns);
+    void along_rim(const Run& run) {
+        if (run.count == 1) {
+            widest_[wrapped(run.begin)] = rim_of(wrapped(run.begin));
             return;
         }
-        const auto azimuth = [&](std::int32_t k) { return angle_round(way_to(k % columns), pit_.x, pit_.y); };
-        const double from = azimuth(begin);
+        const auto azimuth = [&](std::int32_t k) {
+            return angle_round(ray_to_border(wrapped(k)), pit_.x, pit_.y);
+        };
+        const double from = azimuth(run.begin);
         double turn = 0;
-        for (std::int32_t k = begin + 1; k < begin + count; ++k)
+        for (std::int32_t k = run.begin + 1; k < run.begin + run.count; ++k)
             turn += std::remainder(azimuth(k) - azimuth(k - 1), 2 * M_PI);
         std::vector<Vec3> rim(rim_samples + 1);
         std::vector<double> length(rim_samples + 1, 0.0);
@@ -157,24 +187,27 @@ class DentRings {
             if (i > 0) length[i] = length[i - 1] + (rim[i] - rim[i - 1]).norm();
         }
         int at = 1;
-        for (std::int32_t k = 0; k < count; ++k) {
-            const double wanted = length.back() * (k + 1) / (count + 1);
+        for (std::int32_t k = 0; k < run.count; ++k) {
+            const double wanted = length.back() * (k + 1) / (run.count + 1);
             while (at < rim_samples && length[at] < wanted) ++at;
             const double share = (wanted - length[at - 1]) / (length[at] - length[at - 1]);
-            way_[(begin + k) % columns] = rim_at(from + turn * (at - 1 + share) / rim_samples);
+            widest_[wrapped(run.begin + k)] = rim_at(from + turn * (at - 1 + share) / rim_samples);
         }
     }
-    void across_groove(std::int32_t begin, std::int32_t count) {
-        const auto columns = static_cast<std::int32_t>(border_.size());
-        const std::int32_t before = (begin + columns - 1) % columns, after = (begin + count) % columns;
-        const Vec3 from = bulge * (way_[before] - way_to(before)), to = bulge * (way_[after] - way_to(after));
-        for (std::int32_t i = 0; i < count; ++i) {
-            const std::int32_t k = (begin + i) % columns;
-            const double share = double(i + 1) / (count + 1);
-            const Vec3 border = way_to(k), way = (border + from + share * (to - from)).normalized();
-            const double part = angle_to(way) / angle_to(border);
-            const bool fits = way.dot(border) > pit_.z.dot(border) && part > nearest_way && part < 1;
-            way_[k] = fits ? way : ray_towards(border, halfway);
+    /// From the rim's vertex before the run to that after it, along the border of the cell: how far both are
+    /// from the border fades from the one to the other.
+    void across_groove(const Run& run) {
+        const std::int32_t before = wrapped(run.begin + columns() - 1),
+                           after = wrapped(run.begin + run.count);
+        const Vec3 from = bulge * (widest_[before] - ray_to_border(before)),
+                   to = bulge * (widest_[after] - ray_to_border(after));
+        for (std::int32_t i = 0; i < run.count; ++i) {
+            const std::int32_t k = wrapped(run.begin + i);
+            const double share = double(i + 1) / (run.count + 1);
+            const Vec3 border = ray_to_border(k), ray = (border + from + share * (to - from)).normalized();
+            const double part = angle_to(ray) / angle_to(border);
+            const bool fits = ray.dot(border) > pit_.z.dot(border) && part > nearest_on_floor && part < 1;
+            widest_[k] = fits ? ray : ray_towards(border, on_floor);
         }
     }
 
@@ -186,7 +219,7 @@ class DentRings {
     std::vector<std::uint32_t> border_;  ///< the joint's vertex that each column ends in
     // Where dents are crowded:
     std::vector<char> inside_;  ///< column -> whether it ends in the groove
-    std::vector<Vec3> way_;     ///< column -> the ray to its widest vertex
+    std::vector<Vec3> widest_;  ///< column -> the ray to its widest vertex
     Bridge& out_;
 };
 

@@ -11,13 +11,23 @@
 #include "sinew/base/portable_math.h"
 #include "sinew/sqm/place/bend_ring.h"
 #include "sinew/sqm/place/dent_rings.h"
-#include "sinew/sqm/rings/path_frame.h"
+#include "sinew/sqm/place/follow_surface.h"
 #include "sinew/sqm/surface/cell_room.h"
-#include "sinew/sqm/surface/dents.h"
 #include "sinew/sqm/surface/joint_reach.h"
 
 namespace sinew::sqm {
 namespace {
+
+/// How far the ring of a bend may lean over the bone to the next one, of the bone's length: to the middle,
+/// but for 2 % that stay between both. Of 3,000 chains of four random bones, as thick as they are long, 897
+/// have a quad that is folded; with 0.6 it is 1,115, and without a limit 1,472.
+constexpr double to_next_bend = 0.49;
+/// The same of the bone to a joint, whose points end near the middle of it.
+constexpr double to_joint = 0.5;
+/// The same to a round end, of the straight side of the bone, which ends where the ring of that end stands;
+/// where the ball swallows all of the side, a tenth of the bone is taken for it.
+constexpr double to_round_end = 0.9;
+constexpr double least_side = 0.1;
 
 class Placer {
   public:
@@ -119,10 +129,11 @@ class Placer {
     /// comes from the other node too, and not to the rings of a round end. Further, both would cross.
     double room_of(std::int32_t p, std::int32_t other, const ConeFrom& bone) const {
         const auto nodes = n_.nodes(p);
-        if (n_.path_closed[p] || (other != nodes.front() && other != nodes.back())) return 0.49 * bone.length;
+        if (n_.path_closed[p] || (other != nodes.front() && other != nodes.back()))
+            return to_next_bend * bone.length;
         const int end = other == nodes.front() ? 0 : 1;
-        if (n_.path_end[p][end].at_joint()) return 0.5 * bone.length;
-        return 0.9 * std::clamp(bone.side_end(), 0.1 * bone.length, bone.length);
+        if (n_.path_end[p][end].at_joint()) return to_joint * bone.length;
+        return to_round_end * std::clamp(bone.side_end(), least_side * bone.length, bone.length);
     }
     static Vec3 ellipse(const Station& ring, const Vec3& ray) {
         if (ring.half.x() == ring.half.y()) return ring.half.x() * ray;
@@ -236,32 +247,11 @@ class Placer {
                     const std::uint32_t target =
                         to_pole ? out_.path_pole[p][1 - side] : first_of_ring(d_, out_, p, proper) + k;
                     set(first_of_ring(d_, out_, p, i) + k,
-                        between(e, position(joint_ring[k]), position(target), s.stations[i].share),
+                        follow_surface(d_, e, position(joint_ring[k]), position(target), s.stations[i].share),
                         s.stations[i].node);
                 }
         }
     }
-    Vec3 between(const PathEnd& end, const Vec3& at_joint, const Vec3& on_ring, double share) const {
-        const std::int32_t joint = end.joint, slot = n_.slot_first[joint] + end.slot;
-        const Vec3& centre = d_.skeleton.position[n_.joint_node[joint]];
-        const Vec3 a = at_joint - centre, b = on_ring - centre;
-        const double la = a.norm(), lb = b.norm();
-        const Form* body = d_.surfaces.body[joint];
-        const GreatCircle way(to_ball_space(body, a / la), to_ball_space(body, b / lb));
-        if (!(way.angle > 1e-6 && way.angle < 3.1)) return at_joint + share * (on_ring - at_joint);
-        const Vec3 ray = from_ball_space(body, way.at(share));
-        if (d_.surfaces.kind[slot] == SlotKind::pit && has_groove(d_.surfaces, joint) &&
-            on_rim(n_, d_.surfaces, joint, centre, at_joint) &&
-            on_rim(n_, d_.surfaces, joint, centre, on_ring))
-            return rim_of(d_.surfaces.pits[d_.surfaces.extra[slot]], joint, centre, ray);
-        return centre + reach_of_joint(n_, d_.surfaces, joint, centre, ray) * ray;
-    }
-
-    Vec3 rim_of(const PitShape& pit, std::int32_t joint, const Vec3& centre, const Vec3& towards) const {
-        const Vec3 ray = rim_towards(n_, d_.surfaces, joint, pit, centre, towards);
-        return centre + exit_without_dents(n_, d_.surfaces, joint, ray) * ray;
-    }
-
     void poles(std::int32_t p) {
         const auto nodes = n_.nodes(p);
         for (int side = 0; side < 2; ++side) {

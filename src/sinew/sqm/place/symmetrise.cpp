@@ -8,6 +8,11 @@
 namespace sinew::sqm {
 namespace {
 
+/// How far from the image of a vertex, of the ring's radius, the vertex may be that it goes to. Any number
+/// between 1e-6 and 0.15 tells the same: of 94,520 vertices of rings in symmetric meshes (../shared/data and
+/// examples, as they are and with --sides 8) 94,400 are nearer than that, all others further.
+constexpr double farthest = 0.09;
+
 class VertexImages {
   public:
     VertexImages(const Parts& parts, const Images& images, const Bridge& bridge)
@@ -46,33 +51,84 @@ class VertexImages {
         }
     }
 
+    /// Where ring 0 and column 0 of a path go, and which way round its rings and columns go from there.
+    struct PathImage {
+        std::int32_t path = 0, ring = 0, column = 0;
+        bool rings_back = false, columns_back = false;
+    };
+    static std::int32_t wrapped(std::int32_t i, std::int32_t count) { return ((i % count) + count) % count; }
+    std::int32_t ring_count(std::int32_t p) const { return d_.stations.first[p + 1] - d_.stations.first[p]; }
+    std::int32_t sides(std::int32_t p) const { return d_.refinement.path_sides[p]; }
+    std::uint32_t first_of_ring(std::int32_t p, std::int32_t ring) const {
+        return bridge_.path_vertex[p] + ring * sides(p);
+    }
+
     /// Columns of a path go to columns of its image, all shifted alike, backwards if the sense is reversed.
+    /// @return whether the path follows the symmetry
     bool path(std::int32_t p) {
-        const std::int32_t q = images_.path[p], n = d_.refinement.path_sides[p];
-        const Stations& s = d_.stations;
-        const std::int32_t rings = s.first[p + 1] - s.first[p];
-        if (s.first[q + 1] - s.first[q] != rings || d_.refinement.path_sides[q] != n) return false;
-        const bool back = images_.path_reversed[p], turns_back = back != images_.reverses;
+        const std::int32_t q = images_.path[p];
+        if (ring_count(q) != ring_count(p) || sides(q) != sides(p)) return false;
         for (int end = 0; end < 2; ++end)
             if (bridge_.path_pole[p][end] != no_vertex)
-                image_[bridge_.path_pole[p][end]] = bridge_.path_pole[q][back ? 1 - end : end];
-        std::int32_t ring_of_first = 0, first_column = 0;
-        if (rings > 0 && n_.path_closed[p]) {
-            if (!closed_start(p, q, rings, n, ring_of_first, first_column)) return false;
-            return closed(p, q, rings, n, ring_of_first, first_column);
+                image_[bridge_.path_pole[p][end]] =
+                    bridge_.path_pole[q][images_.path_reversed[p] ? 1 - end : end];
+        if (ring_count(p) == 0) return true;  // the joints' rings are matched already: nothing lies between
+        return n_.path_closed[p] ? closed_path(p, start_of_closed(p, q)) : open_path(p, start_of_open(p, q));
+    }
+    void ring_goes_to(std::int32_t p, std::int32_t ring, const PathImage& to, std::int32_t to_ring,
+                      std::int32_t to_column) {
+        const std::int32_t n = sides(p);
+        for (std::int32_t k = 0; k < n; ++k)
+            image_[first_of_ring(p, ring) + k] =
+                first_of_ring(to.path, to_ring) + wrapped(to_column + (to.columns_back ? -k : k), n);
+    }
+
+    PathImage start_of_open(std::int32_t p, std::int32_t q) const {
+        PathImage to{q};
+        to.rings_back = images_.path_reversed[p];
+        to.columns_back = to.rings_back != images_.reverses;
+        to.ring = to.rings_back ? ring_count(p) - 1 : 0;
+        to.column = n_.path_end[p][0].at_joint()
+                        ? column_at_joint(p, q, to.rings_back)
+                        : nearest(bridge_.path_vertex[p], first_of_ring(q, to.ring), sides(p));
+        return to;
+    }
+    bool open_path(std::int32_t p, const PathImage& to) {
+        for (std::int32_t i = 0; i < ring_count(p); ++i)
+            ring_goes_to(p, i, to, to.ring + (to.rings_back ? -i : i), to.column);
+        return ends_agree(p, to.path, sides(p));
+    }
+
+    /// A closed path may be turned along itself too: the ring that its first ring goes to is the nearest one.
+    PathImage start_of_closed(std::int32_t p, std::int32_t q) const {
+        const Station* const rings = &d_.stations.stations[d_.stations.first[q]];
+        const Station& first = d_.stations.stations[d_.stations.first[p]];
+        const Vec3 centre = images_.generator * first.centre;
+        PathImage to{q};
+        double nearest_square = std::numeric_limits<double>::infinity();
+        for (std::int32_t i = 0; i < ring_count(q); ++i)
+            if (const double square = (rings[i].centre - centre).squaredNorm(); square < nearest_square)
+                nearest_square = square, to.ring = i;
+        to.column = nearest(bridge_.path_vertex[p], first_of_ring(q, to.ring), sides(p));
+        to.rings_back = (images_.generator * first.tangent).dot(rings[to.ring].tangent) < 0;
+        to.columns_back = to.rings_back != images_.reverses;
+        return to;
+    }
+    /// Rings are walked along the path and its image at once. Where the walk passes from the last ring of the
+    /// image to its first, column k goes on as column k + far_shift, and the other way round.
+    /// @return whether that agrees with where the path itself is joined to its first ring
+    bool closed_path(std::int32_t p, const PathImage& to) {
+        const std::int32_t rings = ring_count(p), own_shift = d_.stations.far_shift[p],
+                           shift = d_.stations.far_shift[to.path];
+        std::int32_t ring = to.ring, column = to.column;
+        for (std::int32_t i = 0; i < rings; ++i) {
+            ring_goes_to(p, i, to, ring, column);
+            ring += to.rings_back ? -1 : 1;
+            if (ring == rings) ring = 0, column += shift;
+            if (ring < 0) ring = rings - 1, column -= shift;
         }
-        if (rings == 0) return true;  // the joints' rings are matched already, and nothing lies between
-        const std::int32_t target = back ? rings - 1 : 0;
-        first_column = n_.path_end[p][0].at_joint()
-                           ? column_at_joint(p, q, back)
-                           : nearest(bridge_.path_vertex[p], bridge_.path_vertex[q] + target * n, n);
-        for (std::int32_t i = 0; i < rings; ++i)
-            for (std::int32_t k = 0; k < n; ++k) {
-                const std::int32_t column = ((first_column + (turns_back ? -k : k)) % n + n) % n;
-                image_[bridge_.path_vertex[p] + i * n + k] =
-                    bridge_.path_vertex[q] + (back ? rings - 1 - i : i) * n + column;
-            }
-        return ends_agree(p, q, n);
+        const std::int32_t expected = to.column + (to.columns_back ? -own_shift : own_shift);
+        return wrapped(column - expected, sides(p)) == 0;
     }
 
     Vec3 position(std::uint32_t vertex) const { return bridge_.mesh.positions[vertex].cast<double>(); }
@@ -110,42 +166,6 @@ class VertexImages {
             }
         }
         return true;
-    }
-
-    /// A closed path may be turned along itself too: find the ring that its first ring goes to.
-    bool closed_start(std::int32_t p, std::int32_t q, std::int32_t rings, std::int32_t n, std::int32_t& ring,
-                      std::int32_t& column) const {
-        const Vec3 centre = images_.generator * d_.stations.stations[d_.stations.first[p]].centre;
-        double best = std::numeric_limits<double>::infinity();
-        for (std::int32_t i = 0; i < rings; ++i) {
-            const Station& station = d_.stations.stations[d_.stations.first[q] + i];
-            const double d = (station.centre - centre).squaredNorm();
-            if (d < best) best = d, ring = i;
-        }
-        column = nearest(bridge_.path_vertex[p], bridge_.path_vertex[q] + ring * n, n);
-        return rings > 0;
-    }
-    /// Rings are walked along the path and its image at once; where a walk passes the seam the columns shift.
-    bool closed(std::int32_t p, std::int32_t q, std::int32_t rings, std::int32_t n, std::int32_t ring,
-                std::int32_t column) {
-        const Stations& s = d_.stations;
-        const auto tangent = [&](std::int32_t path, std::int32_t i) {
-            return s.stations[s.first[path] + i].tangent;
-        };
-        const bool back = (images_.generator * tangent(p, 0)).dot(tangent(q, ring)) < 0,
-                   turns_back = back != images_.reverses;
-        std::int32_t shift = column;
-        for (std::int32_t i = 0; i < rings; ++i) {
-            for (std::int32_t k = 0; k < n; ++k)
-                image_[bridge_.path_vertex[p] + i * n + k] =
-                    bridge_.path_vertex[q] + ring * n + ((shift + (turns_back ? -k : k)) % n + n) % n;
-            ring += back ? -1 : 1;
-            if (ring == rings) ring = 0, shift += s.far_shift[q];
-            if (ring < 0) ring = rings - 1, shift -= s.far_shift[q];
-        }
-        // Once round: column 0 comes back shifted by the seams of both, which must agree.
-        const std::int32_t expected = column + (turns_back ? -s.far_shift[p] : s.far_shift[p]);
-        return ((shift - expected) % n + n) % n == 0;
     }
 
     void capped() {
@@ -207,8 +227,8 @@ class VertexImages {
         for (std::int32_t i = first; i < d_.stations.first[p + 1]; ++i) {
             const Station& station = d_.stations.stations[i];
             const bool free = station.shape == RingShape::follow || station.shape == RingShape::pit;
-            const double far = 0.09 * (free ? d_.skeleton.radius[station.node] : station.half.minCoeff());
-            const std::uint32_t ring = first_of_ring(d_, bridge_, p, i);
+            const double far = farthest * (free ? d_.skeleton.radius[station.node] : station.half.minCoeff());
+            const std::uint32_t ring = first_of_ring(p, i - first);
             if (station.shape != RingShape::outline && is_copied(ring, n)) continue;
             for (std::uint32_t v = ring; v < ring + n; ++v)
                 if (image_[v] != no_vertex &&

@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "sinew/base/portable_math.h"
+#include "sinew/sqm/surface/bisect.h"
 #include "sinew/sqm/surface/cell_room.h"
 #include "sinew/sqm/surface/dents.h"
 #include "sinew/sqm/surface/joint_reach.h"
@@ -32,6 +34,86 @@ void lay_out(const Network& n, const Polyhedra& p, const Refinement& r, JointPoi
     points.position.resize(next);
 }
 
+/// Pieces with which an arc can follow a groove: to one rim, down, over the floor, up and from the other rim.
+constexpr std::int32_t least_across_groove = 5;
+/// Edges longer than this outside of a groove, in radians, get a point of their own half way: one straight to
+/// the rim would lie as deep below a ball as 1 - cos(0.25 / 2) = 0.8 % of its radius, a furrow that shows.
+constexpr double longest_outside = 0.25;
+
+/// An arc between two cells as a curve of unit directions, by even samples: its parameter counts them.
+class SampledArc {
+  public:
+    /// The parameter of the arc's end. No arc is longer than pi, so samples are at most 0.048 radians apart:
+    /// only a groove narrower than that can be missed.
+    static constexpr std::int32_t end = 66;
+
+    SampledArc(const Polyhedra& p, const CellArc& arc) {
+        directions_.front() = p.vertices[arc.from], directions_.back() = p.vertices[arc.to];
+        divide_arc(p, arc, end, &directions_[1]);
+    }
+    Vec3 at(double parameter) const {
+        const auto low = std::clamp(static_cast<std::int32_t>(parameter), 0, end - 1);
+        return (directions_[low] + (parameter - low) * (directions_[low + 1] - directions_[low]))
+            .normalized();
+    }
+
+  private:
+    std::array<Vec3, end + 1> directions_;
+};
+
+/// From one parameter of a curve to another.
+struct Stretch {
+    double begin = 0, end = 0;
+    bool from_start = false, to_end = false;  ///< it begins, ends where the curve does
+
+    bool is_empty() const { return begin >= end; }
+    bool is_whole() const { return from_start && to_end; }
+};
+
+/// The stretch of a curve from the first to the last direction that `holds`, bounded by ones that do not.
+template <class Holds>
+Stretch find_stretch(const SampledArc& curve, Holds holds) {
+    constexpr int halvings = 30;  // of a sample: to 1e-9 of it
+    const auto holds_at = [&](double parameter) { return holds(curve.at(parameter)); };
+    std::int32_t first = 0, last = SampledArc::end;
+    while (first < SampledArc::end && !holds_at(first)) ++first;
+    while (last > first && !holds_at(last)) --last;
+    if (first == SampledArc::end) return {};
+    const bool from_start = first == 0, to_end = last == SampledArc::end;
+    return {from_start ? 0 : bisect(first, first - 1, halvings, holds_at).second,
+            to_end ? SampledArc::end : bisect(last, last + 1, halvings, holds_at).second, from_start, to_end};
+}
+
+/// Puts the inner points of an arc onto the stretch of it that crosses a groove: at equal angles of a half
+/// turn from one rim down the wall, over the floor and up to the other. Where the arc has one of its own ends
+/// in the groove, because more than two dents meet there, that end is the middle of the floor, and the points
+/// take a quarter turn from it to the rim.
+/// @param longest_outside  what is longer outside of the groove keeps a point in its middle; a parameter's
+void spread_over_groove(const SampledArc& curve, const Stretch& groove, double longest_outside,
+                        std::span<Vec3> inner) {
+    const auto count = static_cast<std::int32_t>(inner.size());
+    const double after = SampledArc::end - groove.end;
+    const bool point_before = groove.begin > longest_outside, point_after = after > longest_outside;
+    if (point_before) inner.front() = curve.at(0.5 * groove.begin);
+    if (point_after) inner.back() = curve.at(0.5 * (groove.end + SampledArc::end));
+    // Counted as inner points are, the arc's own ends are -1 and `count`.
+    const std::int32_t first = groove.from_start ? -1
+                               : point_before    ? 1
+                                                 : 0,
+                       last = groove.to_end ? count
+                              : point_after ? count - 2
+                                            : count - 1;
+    const double first_angle = groove.from_start ? 0.5 * M_PI : 0,
+                 last_angle = groove.to_end ? 0.5 * M_PI : M_PI;
+    const auto height = [](double angle) { return portable::sine_cosine(angle).cosine; };
+    for (std::int32_t i = std::max(first, 0); i <= std::min(last, count - 1); ++i) {
+        const double angle = first_angle + (last_angle - first_angle) * (i - first) / (last - first);
+        const double across =
+            (height(first_angle) - height(angle)) / (height(first_angle) - height(last_angle));
+        inner[i] = curve.at(groove.begin + across * (groove.end - groove.begin));
+    }
+}
+
 /// Casts the points of one joint onto its surface.
 class Caster {
   public:
@@ -48,20 +130,23 @@ class Caster {
         if (!body) find_rooms();
         Vec3* at = &points_.position[points_.first[joint]];
         for (std::int32_t v = p_.vertex_first[joint]; v < p_.vertex_first[joint + 1]; ++v)
-            *at++ = along(from_ball_space(body, p_.vertices[v]));
+            *at++ = on_surface(from_ball_space(body, p_.vertices[v]));
         for (std::int32_t a = p_.arc_first[joint]; a < p_.arc_first[joint + 1]; ++a) {
             divide_arc(p_, p_.arcs[a], r_.pieces[a], at);
-            if (!surfaces_.pits.empty() && r_.pieces[a] > 4) gather_in_groove(p_.arcs[a], r_.pieces[a], at);
-            for (std::int32_t i = 1; i < r_.pieces[a]; ++i, ++at) *at = along(from_ball_space(body, *at));
+            if (!surfaces_.pits.empty() && r_.pieces[a] >= least_across_groove)
+                gather_in_groove(p_.arcs[a], r_.pieces[a], at);
+            for (std::int32_t i = 1; i < r_.pieces[a]; ++i, ++at)
+                *at = on_surface(from_ball_space(body, *at));
         }
     }
 
   private:
-    Vec3 along(const Vec3& ray) const {
-        const double distance = reach_of_joint(n_, surfaces_, joint_, centre_, ray);
-        double way = distance;
-        for (const CellRoom& room : rooms_) way = std::min(way, room.way_out(centre_, ray, distance));
-        return centre_ + way * ray;
+    Vec3 on_surface(const Vec3& ray) const {
+        const double reach = reach_of_joint(n_, surfaces_, joint_, centre_, ray);
+        double distance = reach;
+        for (const CellRoom& room : rooms_)
+            distance = std::min(distance, room.free_distance(centre_, ray, reach));
+        return centre_ + distance * ray;
     }
     /// A bone too short for the joints at both its ends: this one stays within the cell of the other.
     void find_rooms() {
@@ -79,51 +164,17 @@ class Caster {
     }
     /// Between two dents that overlap, an arc crosses the groove that they make: its points go from one rim
     /// of that down the wall, over the floor and up to the other.
+    /// @param inner  the arc's inner points, pieces - 1 of them, evenly spread; in and out
     void gather_in_groove(const CellArc& arc, std::int32_t pieces, Vec3* inner) const {
         if (!is_pit(arc.left) || !is_pit(arc.right)) return;
-        constexpr std::int32_t samples = 65;
-        constexpr double longest_outside = 0.25;  // radians
-        std::array<Vec3, samples + 2> ray;
-        ray.front() = p_.vertices[arc.from], ray.back() = p_.vertices[arc.to];
-        divide_arc(p_, arc, samples + 1, &ray[1]);
-        const auto ray_at = [&](double at) -> Vec3 {
-            const auto low = std::clamp(static_cast<std::int32_t>(at), 0, samples);
-            return (ray[low] + (at - low) * (ray[low + 1] - ray[low])).normalized();
-        };
-        const auto in_groove = [&](double at) {
+        const SampledArc curve(p_, arc);
+        const Stretch groove = find_stretch(curve, [&](const Vec3& direction) {
             return leads_into_dent(n_, surfaces_, joint_, centre_,
-                                   from_ball_space(surfaces_.body[joint_], ray_at(at)));
-        };
-        std::int32_t first = 0, last = samples + 1;
-        while (first <= samples && !in_groove(first)) ++first;
-        while (last > first && !in_groove(last)) --last;
-        if (first > samples || (first == 0 && last > samples)) return;
-        const auto rim = [&](double inside, double outside) {
-            for (int i = 0; i < 30; ++i) {
-                const double middle = 0.5 * (inside + outside);
-                (in_groove(middle) ? inside : outside) = middle;
-            }
-            return outside;
-        };
-        // An end in the groove, where more than two dents meet, is in the middle of its floor.
-        const double from = first > 0 ? rim(first, first - 1) : 0,
-                     to = last <= samples ? rim(last, last + 1) : samples + 1;
-        // A long way outside gets a point of its own, or its edge would cut a furrow into the surface.
-        const double sample = arc_length(p_, arc) / (samples + 1);
-        const bool long_from = from * sample > longest_outside,
-                   long_to = (samples + 1 - to) * sample > longest_outside;
-        if (long_from) inner[0] = ray_at(0.5 * from);
-        if (long_to) inner[pieces - 2] = ray_at(0.5 * (to + samples + 1));
-        const std::int32_t begin = first > 0 ? (long_from ? 1 : 0) : -1,
-                           end = last <= samples ? pieces - 2 - (long_to ? 1 : 0) : pieces - 1;
-        const double start = first > 0 ? 0 : 0.5 * M_PI, stop = last <= samples ? M_PI : 0.5 * M_PI;
-        const auto height = [](double angle) { return portable::sine_cosine(angle).cosine; };
-        for (std::int32_t i = std::max(begin, 0); i <= std::min(end, pieces - 2);
-             ++i) {  // evenly down the wall, over the floor and up again
-            const double angle = start + (stop - start) * (i - begin) / (end - begin);
-            const double share = (height(start) - height(angle)) / (height(start) - height(stop));
-            inner[i] = ray_at(from + share * (to - from));
-        }
+                                   from_ball_space(surfaces_.body[joint_], direction));
+        });
+        if (groove.is_empty() || groove.is_whole()) return;
+        const double radians = arc_length(p_, arc) / SampledArc::end;  // a unit of the curve's parameter
+        spread_over_groove(curve, groove, longest_outside / radians, {inner, inner + pieces - 1});
     }
 
     /// Vertices are the corners, exactly; points on arcs are evenly spread along the edges.

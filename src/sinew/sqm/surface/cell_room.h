@@ -21,7 +21,7 @@ class CellRoom {
     Vec3 pull_in(const Vec3& place) const;
     /// How far one can go from a place inside along a unit vector, but for what should be left free; not
     /// further than `most`.
-    double way_out(const Vec3& place, const Vec3& ray, double most) const;
+    double free_distance(const Vec3& place, const Vec3& ray, double most) const;
 
   private:
     struct Wall {

@@ -7,16 +7,31 @@
 
 #include "sinew/base/portable_math.h"
 #include "sinew/extend/frames.h"
+#include "sinew/sqm/surface/bisect.h"
 
 namespace sinew::sqm {
 namespace {
 
-constexpr double nearest_to_centre = 0.02;  // of the surface's distance: no dent reaches further
-constexpr double least_dent = 1e-5;         // the same: what is less deep lies on the surface
-constexpr double touching = 1e-3;           // of a dent's size
-constexpr double whole_groove = 0.2;  // overlap, of the narrower dent's reach, from which a groove is whole
-constexpr double groove_step = 0.1;   // between the dents of a groove, of the narrower one's half width
-constexpr int longest_groove = 20;    // in such steps
+/// How near to the joint's centre a floor may come, of the surface's distance there. At the centre itself a
+/// vertex would have no direction from it, by which joints are kept from folding.
+constexpr double nearest_to_centre = 0.02;
+/// What lies less deep, of the surface's distance, is on the surface. Places are those of vertices too, which
+/// single precision rounds to 6e-8: this is a hundred times as much.
+constexpr double least_dent = 1e-5;
+/// How far from a wall, of the dent's size, is still on it: least_dent again, of a dent a hundredth as wide
+/// as its joint.
+constexpr double touching = 1e-3;
+/// The overlap of two dents from which their groove is whole, of the smaller of their half widths. Nothing
+/// asks for just this much; without it a groove would appear at once when a dent is moved.
+constexpr double whole_groove = 0.2;
+/// Between the dents that a groove is made of, of the narrower one's half width w: the scallops between two
+/// of them stand 1 - sqrt(1 - 0.05^2) = 0.0013 w out of the wall.
+constexpr double groove_step = 0.1;
+/// In such steps: dents of one width w that overlap are less than 2 w apart.
+constexpr int longest_groove = 20;
+
+/// Whether a place at this distance from the joint's centre is below its surface: in a dent.
+bool is_sunk(double distance, double surface) { return distance < (1 - least_dent) * surface; }
 
 /// @param leaf  the node above the dent
 PitShape pit_of(const Plain& s, const Vec3& centre, std::int32_t leaf) {
@@ -31,17 +46,17 @@ PitShape pit_of(const Plain& s, const Vec3& centre, std::int32_t leaf) {
             {form.half.x(), form.half.y(), s.pit_depth[leaf]}};
 }
 
-/// From the middle to the border, in a unit direction.
-double reach(const PitShape& pit, const Vec3& way) { return 1 / pit.local(way).norm(); }
+/// The half extent of a dent in a unit direction: from its middle to the border of the ellipsoid.
+double half_extent(const PitShape& pit, const Vec3& direction) { return 1 / pit.local(direction).norm(); }
 
 /// How much of a groove two dents make: 0 if they do not overlap, 1 if it is whole.
 double overlap(const PitShape& a, const PitShape& b) {
-    const Vec3 way = b.middle - a.middle;
-    const double distance = way.norm();
+    const Vec3 between = b.middle - a.middle;
+    const double distance = between.norm();
     if (!(distance > 0)) return 0;
-    const double of_a = reach(a, way / distance), of_b = reach(b, way / distance);
-    const double share = (of_a + of_b - distance) / (whole_groove * std::min(of_a, of_b));
-    return std::clamp(share, 0.0, 1.0);
+    const double of_a = half_extent(a, between / distance), of_b = half_extent(b, between / distance);
+    const double part = (of_a + of_b - distance) / (whole_groove * std::min(of_a, of_b));
+    return std::clamp(part, 0.0, 1.0);
 }
 
 /// The same dent with its x and y turned by quarters until they lie as near as may be to those of another.
@@ -55,12 +70,15 @@ PitShape aligned(const PitShape& pit, const PitShape& to) {
     return turned;
 }
 
-/// A dent part of the way from one to another, on the surface between them.
+/// One of the dents of a groove, on the surface between the two that overlap.
+/// @param share  where it is between both, 0 at a and 1 at b
+/// @param whole  how much of a groove they make: a groove that is not whole narrows towards its middle, by a
+///               parabola, to that part of its width and depth
 PitShape between(const Network& n, const JointSurfaces& surfaces, std::int32_t joint, const Vec3& centre,
                  const PitShape& a, const PitShape& b, double share, double whole) {
-    const Vec3 way = a.middle + share * (b.middle - a.middle) - centre;
+    const Vec3 out = a.middle + share * (b.middle - a.middle) - centre;
     PitShape pit;
-    pit.z = way.norm() > 0 ? Vec3(way.normalized()) : a.z;
+    pit.z = out.norm() > 0 ? Vec3(out.normalized()) : a.z;
     pit.middle = centre + exit_without_dents(n, surfaces, joint, pit.z) * pit.z;
     const Vec3 x = a.x + share * (b.x - a.x);
     pit.x = (x - x.dot(pit.z) * pit.z).normalized();
@@ -142,33 +160,34 @@ double press_dents(const JointSurfaces& surfaces, std::int32_t joint, const Vec3
 bool in_dent(const Network& n, const JointSurfaces& surfaces, std::int32_t joint, const Vec3& centre,
              const Vec3& place) {
     const double distance = (place - centre).norm();
-    return distance < (1 - least_dent) * exit_without_dents(n, surfaces, joint, (place - centre) / distance);
+    return is_sunk(distance, exit_without_dents(n, surfaces, joint, (place - centre) / distance));
 }
 
 bool leads_into_dent(const Network& n, const JointSurfaces& surfaces, std::int32_t joint, const Vec3& centre,
                      const Vec3& ray) {
     const double surface = exit_without_dents(n, surfaces, joint, ray);
-    return press_dents(surfaces, joint, centre, ray, surface) < (1 - least_dent) * surface;
+    return is_sunk(press_dents(surfaces, joint, centre, ray, surface), surface);
 }
 
 Vec3 rim_towards(const Network& n, const JointSurfaces& surfaces, std::int32_t joint, const PitShape& pit,
                  const Vec3& centre, const Vec3& ray) {
-    constexpr double behind = 3;  // radians
-    constexpr int halvings = 30;
+    constexpr double behind = 3;  // radians: nearly opposite to the dent, where `side` leads nowhere any more
+    constexpr int halvings = 30;  // of a step: to 1e-9 of it
+    constexpr int steps_a_dent = 4;  // of the angle that the narrowest half width is seen at
     const Vec3 side = (ray - ray.dot(pit.z) * pit.z).normalized();
     const auto at = [&](double angle) -> Vec3 {
         const auto [sine, cosine] = portable::sine_cosine(angle);
         return cosine * pit.z + sine * side;
     };
-    const double step = portable::angle_of(pit.half.head<2>().minCoeff(), (pit.middle - centre).norm()) / 4;
+    const double step =
+        portable::angle_of(pit.half.head<2>().minCoeff(), (pit.middle - centre).norm()) / steps_a_dent;
     double inside = 0, outside = step;
     while (outside < behind && leads_into_dent(n, surfaces, joint, centre, at(outside)))
         inside = outside, outside += step;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (inside + outside);
-        (leads_into_dent(n, surfaces, joint, centre, at(middle)) ? inside : outside) = middle;
-    }
-    return at(outside);
+    const auto in_dents = [&](double angle) {
+        return leads_into_dent(n, surfaces, joint, centre, at(angle));
+    };
+    return at(bisect(inside, outside, halvings, in_dents).second);
 }
 
 DentWall nearest_wall(const JointSurfaces& surfaces, std::int32_t joint, const Vec3& place) {

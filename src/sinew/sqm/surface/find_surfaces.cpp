@@ -14,6 +14,16 @@ namespace sinew::sqm {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
+/// How much of the bone between two joints they may take together: the rest keeps their points apart, so that
+/// no face between them is squeezed to nothing.
+constexpr double shared_length = 0.9;
+/// Cosine of the angle, 0.8 degrees, below which a bone counts as lying in another one's direction.
+constexpr double same_direction = 0.9999;
+/// How far before a node where the path goes on a joint ends, of the radius there: its points stay clear of
+/// the plane of that node's ring and of the bone that turns away from it.
+constexpr double before_next_ring = 0.3;
+/// How far over the centre of a leaf, of its radius, a joint may go: at the whole radius is the pole.
+constexpr double before_pole = 0.9;
 
 bool is_bone_between_joints(const Network& n, std::int32_t path) {
     return n.nodes(path).size() == 2 && n.path_end[path][0].at_joint() && n.path_end[path][1].at_joint();
@@ -40,7 +50,7 @@ void share_bone(const Network& n, std::int32_t path, JointSurfaces& surfaces) {
     const double wanted_a = wanted_reach(n, surfaces, ends[0].joint, a),
                  wanted_b = wanted_reach(n, surfaces, ends[1].joint, b);
     const ConeFrom& cone = surfaces.cone[a];
-    const double whole = 0.9 * cone.length, spare = whole - wanted_a - wanted_b;
+    const double whole = shared_length * cone.length, spare = whole - wanted_a - wanted_b;
     if (spare >= 0) {
         surfaces.limit[a] = wanted_a + spare * cone.near / (cone.near + cone.far);
         surfaces.limit[b] = wanted_b + spare * cone.far / (cone.near + cone.far);
@@ -55,7 +65,8 @@ void share_bone(const Network& n, std::int32_t path, JointSurfaces& surfaces) {
 bool is_along_another(const Network& n, const JointSurfaces& surfaces, std::int32_t joint,
                       std::int32_t slot) {
     for (std::int32_t other = n.slot_first[joint]; other < n.slot_first[joint + 1]; ++other)
-        if (other != slot && surfaces.cone[slot].axis.dot(surfaces.cone[other].axis) > 0.9999) return true;
+        if (other != slot && surfaces.cone[slot].axis.dot(surfaces.cone[other].axis) > same_direction)
+            return true;
     return false;
 }
 
@@ -70,7 +81,7 @@ void end_at_next_node(const Network& n, std::int32_t path, JointSurfaces& surfac
         const bool leaf = n.nodes(path).size() == 2;
         const bool tube = surfaces.kind[slot] == SlotKind::cone || surfaces.kind[slot] == SlotKind::beam;
         if (!tube || (leaf && !is_along_another(n, surfaces, end.joint, slot))) continue;
-        const double most = cone.length + (leaf ? 0.9 : -0.3) * cone.far;
+        const double most = cone.length + (leaf ? before_pole : -before_next_ring) * cone.far;
         if (most > cone.near) surfaces.limit[slot] = most;
     }
 }
