@@ -1,5 +1,6 @@
 #include "sinew/sqm/counts/path_needs.h"
 
+#include "sinew/sqm/counts/joint_problem.h"
 #include "sqm/stages.h"
 
 namespace sinew::sqm {
@@ -33,7 +34,11 @@ TEST(PathNeeds, AreTheSidesOfCellsAndFourAtLeast) {
         }
         // Six or more bones that lie in general position part each pair of cells by one arc.
         if (degree >= 6) {
-            EXPECT_EQ(asked.needs.pieces, std::vector<std::int32_t>(asked.needs.pieces.size(), 1));
+            for (std::size_t a = 0; a < asked.needs.pieces.size();
+                 ++a) {  // but by a chord where the joint would cave in
+                const double length = arc_length(asked.polyhedra, asked.polyhedra.arcs[a]);
+                EXPECT_EQ(asked.needs.pieces[a], std::ceil(length / longest_at_blend));
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sinew/sqm/counts/joint_problem.h"
 #include "sinew/sqm/counts/regions.h"
 #include "sqm/stages.h"
 
@@ -62,9 +63,13 @@ TEST(Refine, OfAStarHasNoMoreThanItsCellsNeed) {
     for (int degree = 4; degree < 12; ++degree) {
         const Stages s(star(random_directions(random, degree)));
         expect_agreement(s);
-        for (std::int32_t p = 0; p < degree; ++p)  // the sides of its cell, or four; at most some beside it
-            EXPECT_LE(s.refinement.path_sides[p],
-                      std::max<std::int32_t>(4, std::int32_t(s.polyhedra.cell(p).size())) + 2);
+        for (std::int32_t p = 0; p < degree;
+             ++p) {  // the pieces of its cell's sides, or four; at most some beside it
+            std::int32_t least = 0;
+            for (const CellSide& side : s.polyhedra.cell(p))
+                least += least_pieces(s.skeleton, s.network, s.polyhedra, s.surfaces, 0, side.arc);
+            EXPECT_LE(s.refinement.path_sides[p], std::max(4, least) + 2);
+        }
     }
 }
 

@@ -11,8 +11,6 @@ namespace {
 constexpr std::int32_t across_groove =
     10;  // pieces of an arc between two dents: to the rim, over wall, floor, wall and rim, and on
 constexpr double longest_on_ball = 0.6;  // radians of an arc in one piece on a ball
-constexpr double longest_at_blend =
-    1.58;  // and of a piece elsewhere: a chord of more than a right angle caves the joint in
 
 /// Arcs with both ends in common must not be one edge each.
 bool needs_middle(const Polyhedra& p, std::int32_t joint, std::int32_t arc) {

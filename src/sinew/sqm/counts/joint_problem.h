@@ -17,6 +17,10 @@
 
 namespace sinew::sqm {
 
+/// Radians of a piece of an arc where round cones meet: the chord of a right angle passes the centre at 0.7 radii, that of
+/// 165 degrees at 0.13, and the joint caves in. Hardly more than the right angle, so that perpendicular bones need no more.
+inline constexpr double longest_at_blend = 1.58;
+
 /// Pieces that an arc has at least: 1, or more where it would bulge visibly on a ball, or would be the same
 /// edge as another arc with its ends.
 std::int32_t least_pieces(const Plain& skeleton, const Network& network, const Polyhedra& polyhedra,

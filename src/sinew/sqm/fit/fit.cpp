@@ -343,7 +343,8 @@ class Fitter {
                 const double length = (leeway_[a].start - leeway_[b].start).norm();
                 for (const std::uint32_t v : {a, b}) {
                     const bool of_ring = group[v] < rings;
-                    if ((of_ring && group[a] == group[b]) || !is_limited(v, of_ring ? group[v] : -1)) continue;
+                    if ((of_ring && group[a] == group[b]) || !is_limited(v, of_ring ? group[v] : -1))
+                        continue;
                     leeway_[v].far =
                         std::min(leeway_[v].far, (of_ring ? most_of_column : most_of_edge) * length);
                 }
@@ -417,6 +418,7 @@ class Fitter {
     /// What lies in a plane or on a crease stays there: its places are not those of the round cones alone.
     void leave_features_alone() {
         const Features& features = b_.mesh.features;
+        for (const std::uint32_t v : features.corners) freedom_[v].joint = -1;
         for (const Crease& crease : features.creases)
             for (const std::uint32_t v : crease.edge) freedom_[v].joint = -1;
         for (const Plane& plane : features.planes)

@@ -46,8 +46,9 @@ double blended_distance(const Network& n, const JointSurfaces& surfaces, std::in
     std::array<NearCone, most_near> nearest;
     for (std::int32_t slot = n.slot_first[joint]; slot < n.slot_first[joint + 1]; ++slot)
         keep_nearest(nearest, {surfaces.cone[slot].distance(from), slot});
-    double least = nearest[0].distance;
     const double ball = surfaces.rolling.empty() ? 0 : surfaces.rolling[joint];
+    double least = nearest[0].distance;
+    if (!(ball > 0)) return least;
     std::size_t count = 0;
     while (count < most_near && nearest[count].slot >= 0 && nearest[count].distance < ball) ++count;
     if (count < 2) return least;
