@@ -132,7 +132,8 @@ TEST(Place, RingsOfBendsShareTheBoneBetweenThem) {
 /// side.
 TEST(Place, RingsOfBendsStayOffTheRoundEndBeyond) {
     for (const double turn : {1.6, 2.0, 2.4})
-        for (const auto& [near, far] : {std::pair(0.9, 0.9), {0.9, 0.2}, {0.3, 1.0}}) {
+        for (const auto& [near, far] :
+             {std::pair(0.9, 0.9), {0.9, 0.2}, {0.3, 1.0}, {0.15, 1.0}, {0.12, 1.05}}) {
             const Vec3 last(std::cos(turn), std::sin(turn), 0);
             const Stages s(
                 tree(std::vector<Ball>{{-1, {-6, 0, 0}, near}, {0, {0, 0, 0}, near}, {1, last, far}}));
