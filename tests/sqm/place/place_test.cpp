@@ -127,6 +127,31 @@ TEST(Place, RingsOfBendsShareTheBoneBetweenThem) {
     for (const int count : held) EXPECT_GT(count, 10) << "that some would lean further";
 }
 
+/// A sharp turn into a short last bone: the ring of the turn stays off the rings of the round end, which
+/// begin where the side of that bone ends, and off its own centre even if the end's ball swallows the whole
+/// side.
+TEST(Place, RingsOfBendsStayOffTheRoundEndBeyond) {
+    for (const double turn : {1.6, 2.0, 2.4})
+        for (const auto& [near, far] :
+             {std::pair(0.9, 0.9), {0.9, 0.2}, {0.3, 1.0}, {0.15, 1.0}, {0.12, 1.05}}) {
+            const Vec3 last(std::cos(turn), std::sin(turn), 0);
+            const Stages s(
+                tree(std::vector<Ball>{{-1, {-6, 0, 0}, near}, {0, {0, 0, 0}, near}, {1, last, far}}));
+            Bridge b = bridge(s.parts()).value();
+            place(s.parts(), {}, b);
+            const ConeFrom bone({0, 0, 0}, near, last, far);
+            for (std::int32_t i = 0; i < s.ring_count(0); ++i) {
+                if (s.stations.stations[i].shape != RingShape::node) continue;
+                for (std::int32_t k = 0; k < s.refinement.path_sides[0]; ++k) {
+                    const Vec3 at = b.mesh.positions[first_of_ring(s.parts(), b, 0, i) + k].cast<double>();
+                    EXPECT_LT(at.dot(last), std::max(bone.side_end(), 0.1))
+                        << turn << ' ' << near << ' ' << far;
+                    EXPECT_GT(at.norm(), 0.05) << turn << ' ' << near << ' ' << far;
+                }
+            }
+        }
+}
+
 TEST(Place, VerticesOfTreesLieOnTheRoundCones) {
     property::Random random(27);
     for (int round = 0; round < 10; ++round) {

@@ -15,11 +15,10 @@ namespace {
 /// below its opening: the floor of a deeper one is so near to the centre that rays from there meet its wall
 /// nearly along it, and vertices on them would gather at the bottom.
 constexpr double deep = 0.8;
-// Where a column ends in a groove, its widest vertex is on the floor, between the dent's axis (0) and the
-// cell's border (1). There the groove goes on into the next cell, whose columns do the same from the other
-// side; so these say no more than how evenly the floor is divided.
-constexpr double on_floor = 0.6;          // if there is no rim beside it to tell
-constexpr double nearest_on_floor = 0.3;  // not so near to the axis that the dent's inner rings are squeezed
+/// Where a column ends in a groove, its widest vertex is on the floor, this far from the dent's axis (0) to
+/// the cell's border (1), if there is no rim beside it to tell: beyond the border the groove goes on into the
+/// next cell, whose columns do the same from the other side.
+constexpr double on_floor = 0.6;
 /// How far the line of such vertices follows the rim's vertices beside it away from the border: at 1 it would
 /// join them straight, at 0 lie on the border.
 constexpr double bulge = 0.4;
@@ -204,10 +203,7 @@ class DentRings {
         for (std::int32_t i = 0; i < run.count; ++i) {
             const std::int32_t k = wrapped(run.begin + i);
             const double share = double(i + 1) / (run.count + 1);
-            const Vec3 border = ray_to_border(k), ray = (border + from + share * (to - from)).normalized();
-            const double part = angle_to(ray) / angle_to(border);
-            const bool fits = ray.dot(border) > pit_.z.dot(border) && part > nearest_on_floor && part < 1;
-            widest_[k] = fits ? ray : ray_towards(border, on_floor);
+            widest_[k] = (ray_to_border(k) + from + share * (to - from)).normalized();
         }
     }
 

@@ -24,8 +24,9 @@ namespace {
 constexpr double to_next_bend = 0.49;
 /// The same of the bone to a joint, whose points end near the middle of it.
 constexpr double to_joint = 0.5;
-/// The same to a round end, of the straight side of the bone, which ends where the ring of that end stands;
-/// where the ball swallows all of the side, a tenth of the bone is taken for it.
+/// The same to a round end, of the straight side of the bone, which ends where the ring of that end stands
+/// (with twice the side, 14 more of those chains have a folded quad); where the ball swallows all of the
+/// side, a tenth of the bone is taken for it, or the ring would shrink to its centre.
 constexpr double to_round_end = 0.9;
 constexpr double least_side = 0.1;
 
