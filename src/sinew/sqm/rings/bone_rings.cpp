@@ -13,6 +13,11 @@ namespace {
 
 constexpr double steep = 0.45;  // sine of a cone's slope from which its round parts get rings of their own
 constexpr double very_steep = 0.85;
+/// A smooth surface draws the shoulder of a joint out along the tube, by a sixth of the way to the second ring (a cubic spline
+/// is (before + 4 at + after) / 6). In edges of the ring: tubes that are longer than this get one more ring, so
+/// that the shoulder ends there.
+constexpr double long_tube = 4;
+constexpr double end_of_shoulder = 1.2;
 constexpr double most_rings_a_gap =
     10'000;  // however short the quads are to be: a bound of what one number can ask for
 
@@ -118,6 +123,10 @@ void add_bone_rings(PathWork& w, std::int32_t bone) {
         const double part = hold_near || hold_far ? room / 2 : room;
         if (at_near && part > 1.25 * low_edge) w.heights.push_back(low + 0.4 * low_edge);
         if (at_far && part > 1.25 * high_edge) w.heights.push_back(high - 0.4 * high_edge);
+        if (w.options.support && part > long_tube * std::max(low_edge, high_edge)) {
+            if (at_near) w.heights.push_back(low + end_of_shoulder * low_edge);
+            if (at_far) w.heights.push_back(high - end_of_shoulder * high_edge);
+        }
     }
     const double part = hold_near && hold_far ? room / 2 : at_near || at_far ? 0.6 * room : room;
     if (hold_near) offer_support(w, low, 1, low_edge, part);
