@@ -20,12 +20,24 @@ std::vector<double> held_from(const Document& d, const Vec3& place, bool support
 TEST(RingSupport, StandsOnBothArmsOfASharpBendOnly) {
     const Vec3 bend(6, 0, 0);
     const auto sharp = held_from(chain(std::vector<Vec3>{{0, 0, 0}, bend, {6, 6, 0}}, 0.5), bend);
-    const auto gentle = held_from(chain(std::vector<Vec3>{{0, 0, 0}, bend, {12, 1, 0}}, 0.5), bend);
+    const auto gentle = held_from(chain(std::vector<Vec3>{{0, 0, 0}, bend, {12, 0.5, 0}}, 0.5), bend);
     EXPECT_EQ(sharp.size(), gentle.size() + 4);
     ASSERT_GE(sharp.size(), 4u);
     EXPECT_NEAR(sharp[0], sharp[1], 1e-9);
     EXPECT_NEAR(sharp[2], sharp[3], 1e-9);
     EXPECT_LT(sharp[3], 2);
+}
+
+/// A cubic spline through nodes a bone's length apart cuts a bend by a sixth of the second difference.
+TEST(RingSupport, StandsWhereASmoothCurveWouldCutTheBendDeep) {
+    for (const double radius : {0.2, 0.5, 1.0, 2.0})
+        for (const double angle : {0.1, 0.3, 0.6}) {  // radians
+            const Vec3 bend(8, 0, 0), end(8 + 8 * std::cos(angle), 8 * std::sin(angle), 0);
+            const auto held = held_from(chain(std::vector<Vec3>{{0, 0, 0}, bend, end}, radius), bend);
+            const auto near = std::count_if(held.begin(), held.end(), [&](double d) { return d < 4; });
+            const double cut = 8.0 / 6 * 2 * std::sin(angle / 2);
+            EXPECT_EQ(near > 0, cut > 0.25 * radius) << radius << ' ' << angle;
+        }
 }
 
 TEST(RingSupport, HoldsTheBaseOfATip) {

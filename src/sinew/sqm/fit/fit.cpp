@@ -8,8 +8,9 @@
 #include <limits>
 
 #include "sinew/mesh/limit.h"
+#include "sinew/sqm/fit/balance.h"
 #include "sinew/sqm/fit/fit_round_ends.h"
-#include "sinew/sqm/surface/blend.h"
+#include "sinew/sqm/fit/leeway.h"
 #include "sinew/sqm/surface/dents.h"
 
 namespace sinew::sqm {
@@ -17,21 +18,6 @@ namespace {
 
 constexpr std::uint8_t fit_steps = 8;
 constexpr double steepest_fitted = 0.3;  // cosine of a wall to its ray, in grooves
-
-/// Of what is outside the round cones, beside what is inside: a swelling is seen as a lump, a hollow as a fillet. With 1 the
-/// worst percent of the area of 38 skeletons of others swells by 0.15 / 0.69 r (median, worst), with 4 by 0.14 / 0.49, with 8
-/// by 0.12 / 0.41, but hollows grow by half.
-constexpr double weight_outside = 4;
-/// Of a vertex's own place on the smooth surface, beside the middle of a face round it: with 1 a limb is dented by 2.8 % of its
-/// radius beside a branch, with 2 by less than 2.5 %; 8 lets the worst swelling grow from 0.49 to 0.59 r.
-constexpr double weight_of_own = 2;
-
-// What a smooth surface lacks it may only be given as far as the control mesh stays fair.
-constexpr double most_aside = 0.1;  // of a ring's radius: how much wider or narrower than a tube's it may be
-constexpr double most_of_column = 0.25;  // of the shortest edge along the tube, that a ring's point may move
-constexpr double most_of_edge = 0.4;     // of the shortest edge, that a joint's point may move
-constexpr int unfold_rounds = 6;         // in which rings and points that fold a face go back
-constexpr double back = 0.6;  // to what is left each time of how far they have moved; at last nothing
 
 /// Round cones meet in creases, and faces at joints are of all sizes: a smooth surface that passes through
 /// all points there swells between them. One step makes up for the width that it lacks, and leaves it fair;
@@ -50,14 +36,6 @@ struct RingFactors {
         : gain(static_cast<float>(1 / ring_limit_radius(sides))),
           wider(ring_fit_radius(sides)),
           held(wider / ring_limit_radius(sides)) {}
-};
-
-/// Where a point stands if nothing beside it calls for more than a straight tube does, and how far from there
-/// it may go.
-struct Leeway {
-    Vec3 start = Vec3::Zero(), ray = Vec3::Zero();         ///< the ray is unit, or 0: no limit along it
-    double out = 0, in = 0;                                ///< along the ray
-    double far = std::numeric_limits<double>::infinity();  ///< and in all directions
 };
 
 /// How a vertex may move: along a line, or in the plane at right angles to one; along none it stays.
@@ -253,27 +231,8 @@ class Fitter {
             // given back.
             if (!tube) continue;
             target = ring.centre + factors.wider * (target - ring.centre);
-            limit_ring_point(ring, v, sides);
+            leeway_[v] = leeway_of_ring(d_.skeleton, ring, sides, target);
         }
-    }
-    /// A point at a bend goes out to where the outsides of both arms meet, but not beyond: there they would
-    /// get a nub.
-    void limit_ring_point(const Station& ring, std::uint32_t v, std::int32_t sides) {
-        const Vec3 from = (targets_[v] - ring.centre) / ring_limit_radius(sides);
-        const double radius = from.norm();
-        if (!(radius > 0)) return;
-        Leeway& leeway = leeway_[v];
-        leeway.start = ring.centre + from;
-        leeway.ray = from / radius;
-        leeway.out = leeway.in = most_aside * radius;
-        if (ring.shape != RingShape::node || ring.before < 0 || ring.after < 0) return;
-        constexpr double sharpest = 0.3;  // cosine of half the bend, from which a mitre is as long as there
-        const Vec3 in = (ring.centre - d_.skeleton.position[ring.before]).normalized(),
-                   out = (d_.skeleton.position[ring.after] - ring.centre).normalized(), askew = out - in;
-        if (askew.norm() < 1e-6) return;
-        const double cosine = std::sqrt(std::max(sharpest * sharpest, (1 + in.dot(out)) / 2)),
-                     inward = leeway.ray.dot(askew.normalized());
-        if (inward < 0) leeway.out += (1 / cosine - 1) * inward * inward * radius;
     }
     void along_tapers(std::int32_t p, std::int32_t i) {
         const Stations& s = d_.stations;
@@ -322,165 +281,30 @@ class Fitter {
         return length * beyond > 0 ? Vec3(targets_[v] + std::min(1.0, beyond / length) * way) : targets_[v];
     }
 
-    /// Rings by number; all other points by themselves.
-    std::vector<std::int32_t> groups() const {
-        const Stations& s = d_.stations;
-        std::vector<std::int32_t> group(targets_.size(), -1);
-        for (std::int32_t p = 0; p < n_.path_count(); ++p)
-            for (std::int32_t i = s.first[p]; i < s.first[p + 1]; ++i)
-                std::fill_n(group.begin() + first_of_ring(d_, b_, p, i), d_.refinement.path_sides[p], i);
-        auto next = static_cast<std::int32_t>(s.stations.size());
-        for (std::int32_t& g : group)
-            if (g < 0) g = next++;
-        return group;
-    }
-    /// How far each point may go: a share of the shortest edge at it, of a ring's of those along the tube.
-    void limit_by_edges(const std::vector<std::int32_t>& group) {
-        const auto rings = static_cast<std::int32_t>(d_.stations.stations.size());
-        for (std::size_t v = 0; v < leeway_.size(); ++v)
-            if (leeway_[v].ray.isZero(0)) leeway_[v].start = targets_[v];
-        for (std::size_t f = 0; f < b_.mesh.face_count(); ++f) {
-            const auto face = b_.mesh.face(f);
-            for (std::size_t i = 0; i < face.size(); ++i) {
-                const std::uint32_t a = face[i], b = face[i + 1 < face.size() ? i + 1 : 0];
-                const double length = (leeway_[a].start - leeway_[b].start).norm();
-                for (const std::uint32_t v : {a, b}) {
-                    const bool of_ring = group[v] < rings;
-                    if ((of_ring && group[a] == group[b]) || !is_limited(v, of_ring ? group[v] : -1))
-                        continue;
-                    leeway_[v].far =
-                        std::min(leeway_[v].far, (of_ring ? most_of_column : most_of_edge) * length);
-                }
-            }
-        }
-    }
-    /// Balls, dents and lone nodes are round by themselves, and may need all that they ask for.
-    bool is_limited(std::uint32_t v, std::int32_t ring) const {
-        if (ring < 0) return freedom_[v].joint >= 0;
-        const RingShape shape = d_.stations.stations[ring].shape;
-        return shape == RingShape::follow ? freedom_[v].joint >= 0 : shape != RingShape::pit;
-    }
-    Vec3 within_leeway(std::size_t v, const Vec3& point) const {
-        const Leeway& leeway = leeway_[v];
-        Vec3 way = point - leeway.start;
-        const double out = way.dot(leeway.ray);
-        if (!leeway.ray.isZero(0)) way += (std::clamp(out, -leeway.in, leeway.out) - out) * leeway.ray;
-        const double far = way.norm();
-        return leeway.start + (far > leeway.far ? leeway.far / far : 1) * way;
-    }
-
-    static Vec3 normal_of(std::span<const std::uint32_t> face, std::span<const Vec3> at) {
-        Vec3 normal = Vec3::Zero();
-        for (std::size_t i = 1; i + 1 < face.size(); ++i)
-            normal += (at[face[i]] - at[face[0]]).cross(at[face[i + 1]] - at[face[0]]);
-        return normal;
-    }
-    /// Whether a corner of the face turns against a direction.
-    static bool is_folded(std::span<const std::uint32_t> face, std::span<const Vec3> at, const Vec3& up) {
-        const std::size_t n = face.size();
-        for (std::size_t i = 0; i < n; ++i) {
-            const Vec3 &a = at[face[i]], &b = at[face[(i + 1) % n]], &c = at[face[(i + 2) % n]];
-            if (!((b - a).cross(c - b).dot(up) > 0)) return true;
-        }
-        return false;
-    }
-    /// Rings and points that fold a face go back, bit by bit, towards where they started.
-    void unfold(const std::vector<std::int32_t>& group, const std::vector<std::uint32_t>& moving,
-                std::vector<Vec3>& control) const {
-        const QuadMesh& mesh = b_.mesh;
-        std::vector<Vec3> placed;
-        placed.reserve(control.size());
-        for (const Vec3f& position : mesh.positions) placed.push_back(position.cast<double>());
-        std::vector<std::uint32_t> sound;  // faces that are no worse before
-        std::vector<Vec3> up(mesh.face_count());
-        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-            up[f] = normal_of(mesh.face(f), placed);
-            if (!is_folded(mesh.face(f), placed, up[f])) sound.push_back(static_cast<std::uint32_t>(f));
-        }
-        const std::vector<Vec3> full = control;
-        std::vector<double> share(*std::max_element(group.begin(), group.end()) + 1, 1.0);
-        std::vector<char> folds(share.size());
-        for (int round = 1; round <= unfold_rounds; ++round) {
-            std::fill(folds.begin(), folds.end(), 0);
-            bool any = false;
-            for (const std::uint32_t f : sound) {
-                const auto face = mesh.face(f);
-                const Vec3 normal = normal_of(face, control);
-                if (normal.dot(up[f]) > 0 && !is_folded(face, control, normal)) continue;
-                any = true;
-                for (const std::uint32_t v : face) folds[group[v]] = 1;
-            }
-            if (!any) return;
-            for (std::size_t g = 0; g < share.size(); ++g)
-                if (folds[g]) share[g] = round < unfold_rounds ? back * share[g] : 0;
-            for (const std::uint32_t v : moving)
-                control[v] = leeway_[v].start + share[group[v]] * (full[v] - leeway_[v].start);
-        }
-    }
-
-    /// What lies in a plane or on a crease stays there: its places are not those of the round cones alone.
-    void leave_features_alone() {
+    /// Vertex -> the joint by whose round cones it is balanced. What lies in a plane or on a crease stays there: its
+    /// place is not that of the round cones alone.
+    std::vector<std::int32_t> balanced() const {
+        std::vector<std::int32_t> joint(freedom_.size());
+        for (std::size_t v = 0; v < joint.size(); ++v) joint[v] = freedom_[v].joint;
         const Features& features = b_.mesh.features;
-        for (const std::uint32_t v : features.corners) freedom_[v].joint = -1;
+        for (const std::uint32_t v : features.corners) joint[v] = -1;
         for (const Crease& crease : features.creases)
-            for (const std::uint32_t v : crease.edge) freedom_[v].joint = -1;
+            for (const std::uint32_t v : crease.edge) joint[v] = -1;
         for (const Plane& plane : features.planes)
             for (const std::uint32_t f : plane.faces)
-                for (const std::uint32_t v : b_.mesh.face(f)) freedom_[v].joint = -1;
+                for (const std::uint32_t v : b_.mesh.face(f)) joint[v] = -1;
+        return joint;
     }
-    /// The faces that touch a balanced vertex, and those round each of these.
-    void find_balanced() {
-        faces_.clear();
-        face_first_.assign(freedom_.size() + 1, 0);
-        for (std::size_t f = 0; f < b_.mesh.face_count(); ++f) {
-            const auto face = b_.mesh.face(f);
-            BalancedFace balanced{static_cast<std::uint32_t>(f)};
-            for (const std::uint32_t v : face) {
-                const std::int32_t joint = freedom_[v].joint;
-                if (joint < 0) continue;
-                (balanced.joint[0] < 0 || balanced.joint[0] == joint ? balanced.joint[0]
-                                                                     : balanced.joint[1]) = joint;
-                ++face_first_[v + 1];
-            }
-            if (balanced.joint[0] >= 0) faces_.push_back(balanced);
+    /// Balls, dents and lone nodes are round by themselves, and may need all that they ask for.
+    std::vector<char> limited(const PointGroups& groups) const {
+        std::vector<char> limited(freedom_.size());
+        for (std::size_t v = 0; v < limited.size(); ++v) {
+            const std::int32_t group = groups.of[v];
+            const RingShape shape =
+                group < groups.rings ? d_.stations.stations[group].shape : RingShape::follow;
+            limited[v] = shape == RingShape::follow ? freedom_[v].joint >= 0 : shape != RingShape::pit;
         }
-        for (std::size_t v = 0; v + 1 < face_first_.size(); ++v) face_first_[v + 1] += face_first_[v];
-        faces_of_.resize(face_first_.back());
-        std::vector<std::uint32_t> next(face_first_.begin(), face_first_.end() - 1);
-        for (std::uint32_t i = 0; i < faces_.size(); ++i)
-            for (const std::uint32_t v : b_.mesh.face(faces_[i].face))
-                if (freedom_[v].joint >= 0) faces_of_[next[v]++] = i;
-        outside_.assign(faces_.size(), 0);
-    }
-    double distance_to(std::int32_t joint, const Vec3& place) const {
-        const Vec3 from = place - d_.skeleton.position[n_.joint_node[joint]];
-        return blended_distance(n_, d_.surfaces, joint, from);
-    }
-    void measure_faces(std::span<const Vec3> control, std::span<const Vec3> limit) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces_.size(), 512), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const auto face = b_.mesh.face(faces_[i].face);
-                Vec3 of_control = Vec3::Zero(), of_limit = Vec3::Zero();
-                for (const std::uint32_t v : face) of_control += control[v], of_limit += limit[v];
-                const Vec3 centre = (0.75 * of_control + 0.25 * of_limit) / double(face.size());
-                double outside = std::numeric_limits<double>::infinity();
-                for (const std::int32_t joint : faces_[i].joint)
-                    if (joint >= 0) outside = std::min(outside, distance_to(joint, centre));
-                outside_[i] = outside;
-            }
-        });
-    }
-    void balance(std::uint32_t v, const Vec3& limit, std::vector<Vec3>& control) const {
-        double sum = 0, weights = 0;
-        const auto add = [&](double outside, double share) {
-            const double weight = share * (outside > 0 ? weight_outside : 1);
-            sum += weight * outside;
-            weights += weight;
-        };
-        add(distance_to(freedom_[v].joint, limit), weight_of_own);
-        for (std::uint32_t i = face_first_[v]; i < face_first_[v + 1]; ++i) add(outside_[faces_of_[i]], 1);
-        const double mean = sum / weights;
-        control[v] = within_leeway(v, control[v] - mean * freedom_[v].axis.cast<double>());
+        return limited;
     }
 
     std::vector<Vec3> iterate(const LimitStencils& stencils, const std::vector<char>& moves) {
@@ -489,33 +313,39 @@ class Fitter {
             if (moves[v]) moving.push_back(static_cast<std::uint32_t>(v));
         std::vector<Vec3> control = targets_, limit(targets_.size());
         if (moving.empty()) return control;
-        const std::vector<std::int32_t> group = groups();
-        limit_by_edges(group);
-        leave_features_alone();
-        find_balanced();
+        const PointGroups groups = group_points(d_, b_);
+        for (std::size_t v = 0; v < leeway_.size(); ++v)
+            if (leeway_[v].ray.isZero(0)) leeway_[v].start = targets_[v];
+        limit_by_edges(b_.mesh, groups, limited(groups), leeway_);
+        Balance balance(d_, b_.mesh, balanced());
         for (int step = 0; step < fit_steps; ++step) {
             limit_positions(stencils, std::span<const Vec3>(control), limit);
-            measure_faces(control, limit);
+            balance.measure(control, limit);
             tbb::parallel_for(
                 tbb::blocked_range<std::size_t>(0, moving.size(), 2048), [&](const auto& range) {
                     for (std::size_t i = range.begin(); i < range.end(); ++i) {
                         const std::uint32_t v = moving[i];
-                        if (freedom_[v].joint >= 0) {
-                            balance(v, limit[v], control);
-                            continue;
-                        }
-                        if (step >= freedom_[v].steps) continue;
-                        const Vec3 axis = freedom_[v].axis.template cast<double>();
-                        const Vec3 lack = target_at(v, limit[v], axis) - limit[v];
-                        const Vec3 along = lack.dot(freedom_[v].lack.template cast<double>()) * axis;
-                        control[v] = within_leeway(
-                            v, control[v] +
-                                   freedom_[v].gain * (freedom_[v].in_plane ? Vec3(lack - along) : along));
+                        control[v] =
+                            within(leeway_[v],
+                                   control[v] + (balance.balances(v) ? out_of_balance(balance, v, limit[v])
+                                                                     : lacking(step, v, limit[v])));
                     }
                 });
         }
-        unfold(group, moving, control);
+        unfold(b_.mesh, groups, leeway_, moving, control);
         return control;
+    }
+    Vec3 out_of_balance(const Balance& balance, std::uint32_t v, const Vec3& limit) const {
+        return -balance.mean_outside(v, limit) * freedom_[v].axis.cast<double>();
+    }
+    /// What the smooth surface lacks at a vertex, as far as it may be given in this step.
+    Vec3 lacking(int step, std::uint32_t v, const Vec3& limit) const {
+        const Freedom& freedom = freedom_[v];
+        if (step >= freedom.steps) return Vec3::Zero();
+        const Vec3 axis = freedom.axis.cast<double>();
+        const Vec3 lack = target_at(v, limit, axis) - limit;
+        const Vec3 along = lack.dot(freedom.lack.cast<double>()) * axis;
+        return freedom.gain * (freedom.in_plane ? Vec3(lack - along) : along);
     }
 
     const Parts& d_;
@@ -524,14 +354,6 @@ class Fitter {
     std::vector<Vec3> targets_;
     std::vector<Freedom> freedom_;
     std::vector<Leeway> leeway_;
-    struct BalancedFace {
-        std::uint32_t face;
-        std::array<std::int32_t, 2> joint{-1, -1};
-    };
-    std::vector<BalancedFace> faces_;
-    std::vector<std::uint32_t> face_first_,
-        faces_of_;                           ///< balanced vertex -> its faces, as indices in faces_
-    std::vector<double> outside_;            ///< how far the middles of faces_ are outside
     std::vector<RingFactors> factors_;       ///< by the number of sides
     std::vector<std::int32_t> joint_sides_;  ///< joint -> of its path of fewest sides
 };
