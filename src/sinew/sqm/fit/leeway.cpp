@@ -114,12 +114,17 @@ void unfold(const QuadMesh& mesh, const PointGroups& groups, std::span<const Lee
         sound[f] = !is_folded(mesh.face(f), placed, up[f]);
     });
     const std::vector<Vec3> full(control.begin(), control.end());
-    std::vector<double> kept(groups.count, 1.0);  // of how far each group has moved
-    std::vector<char> goes_back(groups.count);
+    std::vector<double> kept(groups.count, 1.0);   // of how far each group has moved
+    std::vector<char> goes_back(groups.count, 1);  // a face none of whose groups went back is as it was
     for (int round = 1; round <= unfold_rounds; ++round) {
         for_faces(mesh.face_count(), [&](std::size_t f) {
-            const Vec3 normal = sound[f] ? normal_of(mesh.face(f), control) : Vec3::Zero();
-            folds[f] = sound[f] && !(normal.dot(up[f]) > 0 && !is_folded(mesh.face(f), control, normal));
+            const auto face = mesh.face(f);
+            folds[f] = 0;
+            if (!sound[f] || std::none_of(face.begin(), face.end(),
+                                          [&](std::uint32_t v) { return goes_back[groups.of[v]]; }))
+                return;
+            const Vec3 normal = normal_of(face, control);
+            folds[f] = !(normal.dot(up[f]) > 0) || is_folded(face, control, normal);
         });
         std::fill(goes_back.begin(), goes_back.end(), 0);
         bool any = false;
