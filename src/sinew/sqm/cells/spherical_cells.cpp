@@ -40,6 +40,7 @@ constexpr double own_half = 0.51;
 constexpr double near_enough = 0.98;  // of the squared separation
 constexpr double longest_push = 0.5;  // of the separation: many neighbours push too hard together
 constexpr int most_pushes = 64;       // 16 do for all of the stars above
+constexpr double by_more_than_rounding = 1 + 1e-9;
 
 Vec3 any_normal_to(const Vec3& v) {
     int least = 0;
@@ -62,34 +63,47 @@ void part_equal(std::vector<Vec3>& sites, double spacing) {
     }
 }
 
-bool too_close(std::span<const Vec3> sites, double square) {
+/// The square of the least distance between two of the directions.
+double least_square(std::span<const Vec3> sites) {
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < sites.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if ((sites[i] - sites[j]).squaredNorm() < square) return true;
-    return false;
+        for (std::size_t j = 0; j < i; ++j) least = std::min(least, (sites[i] - sites[j]).squaredNorm());
+    return least;
 }
 
-/// Pushes directions apart, all pairs at once so that their order does not matter.
+/// Pushes directions apart once, all pairs at once so that their order does not matter.
+void push_apart(std::vector<Vec3>& sites, double least, std::vector<Vec3>& push) {
+    push.assign(sites.size(), Vec3::Zero());
+    for (std::size_t i = 1; i < sites.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const Vec3 apart = sites[i] - sites[j];
+            const double distance = apart.norm();
+            if (distance >= least || distance == 0) continue;
+            const Vec3 half = apart * (own_half * (least - distance) / distance);
+            push[i] += half;
+            push[j] -= half;
+        }
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        const double far = std::max(1.0, push[i].norm() / (longest_push * least));
+        sites[i] = (sites[i] + push[i] / far).normalized();
+    }
+}
+
+/// Pushes directions apart until all are, or so many times. Where there is no room, as for more than a
+/// hundred in one plane, pushing makes a muddle of them: then those of the round stay, the drawn ones or
+/// later ones, in which the nearest two were furthest apart.
 void separate(std::vector<Vec3>& sites, std::vector<Vec3>& push) {
     const double least = std::min(least_separation, 1 / std::sqrt(static_cast<double>(sites.size())));
-    if (!too_close(sites, least * least)) return;
+    if (least_square(sites) >= least * least) return;
     part_equal(sites, seed_spacing * least);
-    for (int round = 0; round < most_pushes && too_close(sites, near_enough * least * least); ++round) {
-        push.assign(sites.size(), Vec3::Zero());
-        for (std::size_t i = 1; i < sites.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) {
-                const Vec3 apart = sites[i] - sites[j];
-                const double distance = apart.norm();
-                if (distance >= least) continue;
-                const Vec3 half = apart * (own_half * (least - distance) / distance);
-                push[i] += half;
-                push[j] -= half;
-            }
-        for (std::size_t i = 0; i < sites.size(); ++i) {
-            const double far = std::max(1.0, push[i].norm() / (longest_push * least));
-            sites[i] = (sites[i] + push[i] / far).normalized();
-        }
+    std::vector<Vec3> best = sites;
+    double square = least_square(sites), best_square = square;
+    for (int round = 0; round < most_pushes && square < near_enough * least * least; ++round) {
+        push_apart(sites, least, push);
+        square = least_square(sites);
+        if (square > best_square * by_more_than_rounding) best = sites, best_square = square;
     }
+    sites = std::move(best);
 }
 
 std::int32_t before(std::span<const std::int32_t> face, std::int32_t point) {
