@@ -18,6 +18,12 @@ constexpr int pit_sides = 8;  // round a dent: with fewer, the surface beside it
 // 217 with 45 degrees; with 55 degrees (21 and 206) seven of 72 bowls crossed themselves, where now one does.
 constexpr double bare = 0.643;
 
+// What rounding may add to the cosine of a ray that is turned right to the border of what is bare.
+constexpr double rounding = 1e-9;
+
+// A joint with a body of its own has at least as many bones: fewer have no cells round them.
+constexpr std::int32_t least_bones = 3;
+
 // Of a dent's width: where its cell ends at the nearest. Inside the rim bowls fold
 // (FoldsNothingHoweverWideTheBowl fails at 0.97); beyond it nothing changes up to 1.2, and the twentieth is
 // for what single precision takes away.
@@ -50,28 +56,45 @@ Vec3 clear_of_dent(const PlainBuilder& b, std::int32_t node, std::int32_t dent, 
     return cosine * towards + std::sqrt(1 - cosine * cosine) * across.normalized();
 }
 
-/// Bones of its own for every axis that no drawn bone is near, so that the joint has vertices all round.
+/// Bones of its own for every axis that no drawn bone is near, so that the joint has vertices all round, and
+/// where dents leave no room for that, as many as it needs.
 void add_surface_bones(PlainBuilder& b, std::int32_t node, const Frame& frame, double reach) {
     std::vector<std::int32_t> drawn;
-    for (const std::int32_t bone : b.bones(node)) drawn.push_back(b.other(bone, node));
-    const auto near = [&](const Vec3& ray) {
-        return std::ranges::any_of(
-            drawn, [&](std::int32_t other) { return b.direction(node, other).dot(ray) > bare; });
+    std::vector<Vec3> taken;
+    for (const std::int32_t bone : b.bones(node)) {
+        drawn.push_back(b.other(bone, node));
+        taken.push_back(b.direction(node, drawn.back()));
+    }
+    const std::vector<Vec3> of_drawn = taken;
+    const auto nearness = [](const std::vector<Vec3>& rays, const Vec3& ray) {
+        double most = -1;  // a cosine
+        for (const Vec3& other : rays) most = std::max(most, other.dot(ray));
+        return most;
+    };
+    const auto add = [&](const Vec3& ray) {
+        const std::int32_t tip = b.add_node(b.position(node) + reach * ray, 0.5 * reach, node);
+        b.set_cap(tip, Cap::surface);
+        b.add_bone(node, tip, BoneKind::body);
+        taken.push_back(ray);
     };
     for (const Vec3& axis : {frame.x, frame.y, frame.z})
         for (const double sign : {1.0, -1.0}) {
             const Vec3 straight = sign * axis;
-            if (near(straight)) continue;
+            if (nearness(of_drawn, straight) > bare) continue;
             Vec3 ray = straight;  // dents on both sides push alike, in whatever order they are drawn
             for (const std::int32_t other : drawn)
                 if (b.is_pit(other)) ray += clear_of_dent(b, node, other, reach, straight) - straight;
             const bool pushed_both_ways = ray.norm() <= 0.5;  // there is no way left that is clear of all
             ray = pushed_both_ways ? straight : Vec3(ray.normalized());
-            if (near(ray)) continue;
-            const std::int32_t tip = b.add_node(b.position(node) + reach * ray, 0.5 * reach, node);
-            b.set_cap(tip, Cap::surface);
-            b.add_bone(node, tip, BoneKind::body);
+            if (nearness(of_drawn, ray) <= bare + rounding) add(ray);
         }
+    while (std::ssize(taken) < least_bones) {  // ends: each turn adds one
+        Vec3 loneliest = frame.x;
+        for (const Vec3& axis : {frame.x, frame.y, frame.z})
+            for (const Vec3& ray : {axis, Vec3(-axis)})
+                if (nearness(taken, ray) < nearness(taken, loneliest)) loneliest = ray;
+        add(loneliest);
+    }
 }
 
 /// Where a unit ray from the middle of a node leaves its own surface.

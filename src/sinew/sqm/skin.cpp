@@ -12,6 +12,7 @@
 #include "sinew/sqm/fit/fit.h"
 #include "sinew/sqm/name_drawn.h"
 #include "sinew/sqm/network.h"
+#include "sinew/sqm/outward.h"
 #include "sinew/sqm/place/place.h"
 #include "sinew/sqm/place/symmetrise.h"
 #include "sinew/sqm/points/joint_points.h"
@@ -75,6 +76,7 @@ Result<QuadMesh> make_mesh(const Plain& skeleton, const SkinOptions& options, co
     if (options.fit == Fit::limit && ideal)
         if (const auto fitted = fit_limit(parts, *bridged); !fitted) return fail(fitted.error());
     make_symmetric(images, image, bridged->mesh.positions);
+    turn_outward(parts, *bridged);
     return std::move(bridged->mesh);
 }
 

@@ -16,8 +16,8 @@ void expect_convex(const SphereHull& hull, std::size_t count) {
         for (std::int32_t i = 0; i < n; ++i) EXPECT_LE((b - a).cross(c - a).dot(hull.grid[i] - a), 0);
         for (std::size_t k = 0; k < face.size(); ++k) {
             const std::int32_t u = face[k], v = face[(k + 1) % face.size()];
-            EXPECT_EQ(hull.face_of[u * n + v], f);
-            EXPECT_GE(hull.face_of[v * n + u], 0);
+            EXPECT_EQ(hull.face_of(u, v), f);
+            EXPECT_GE(hull.face_of(v, u), 0);
         }
     }
 }
@@ -60,8 +60,8 @@ TEST(SphereHull, OfPointsInAPlaneHasTwoFacesBackToBack) {
                 for (std::size_t k = 0; k < hull.face(f).size(); ++k) {
                     const std::int32_t u = hull.face(f)[k], v = hull.face(f)[(k + 1) % n];
                     EXPECT_NEAR((points[u] - points[v]).norm(), (points[0] - points[n - 1]).norm(), 1e-9);
-                    EXPECT_EQ(hull.face_of[u * n + v], f);
-                    EXPECT_EQ(hull.face_of[v * n + u], 1 - f);
+                    EXPECT_EQ(hull.face_of(u, v), f);
+                    EXPECT_EQ(hull.face_of(v, u), 1 - f);
                 }
         }
 }

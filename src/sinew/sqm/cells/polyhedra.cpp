@@ -72,9 +72,23 @@ void append_cells(const Cells& from, Polyhedra& to) {
         to.arcs.push_back({a.from + vertex, a.to + vertex, a.left + cell, a.right + cell});
     for (const CellSide& s : from.sides) to.sides.push_back({s.arc + arc, s.reversed});
 }
+/// Marks the arcs of one joint that have both ends in common with another one.
+void mark_doubled(const std::vector<CellArc>& arcs, std::vector<std::uint8_t>& doubled) {
+    const std::size_t first = doubled.size();
+    std::vector<std::array<std::int32_t, 3>> by_ends;
+    for (const CellArc& a : arcs)
+        by_ends.push_back(
+            {std::min(a.from, a.to), std::max(a.from, a.to), static_cast<std::int32_t>(by_ends.size())});
+    std::sort(by_ends.begin(), by_ends.end());
+    doubled.resize(first + arcs.size(), 0);
+    for (std::size_t i = 1; i < by_ends.size(); ++i)
+        if (by_ends[i][0] == by_ends[i - 1][0] && by_ends[i][1] == by_ends[i - 1][1])
+            doubled[first + by_ends[i][2]] = doubled[first + by_ends[i - 1][2]] = 1;
+}
 /// Appends the cells of one joint.
 void append(const SphericalCells& cells, Polyhedra& out) {
     append_cells(cells, out);
+    mark_doubled(cells.arcs, out.arc_doubled);
     out.cell_first.push_back(out.cell_count());
     out.vertex_first.push_back(static_cast<std::int32_t>(out.vertices.size()));
     out.arc_first.push_back(static_cast<std::int32_t>(out.arcs.size()));
@@ -85,11 +99,12 @@ void append(const Polyhedra& from, Polyhedra& to) {
     append_shifted(from.vertex_first, to.vertex_first.back(), to.vertex_first);
     append_shifted(from.arc_first, to.arc_first.back(), to.arc_first);
     append_cells(from, to);
+    to.arc_doubled.insert(to.arc_doubled.end(), from.arc_doubled.begin(), from.arc_doubled.end());
 }
 
 void clear(Polyhedra& p) {
     p.cell_first = p.vertex_first = p.arc_first = p.side_first = {0};
-    p.sites.clear(), p.vertices.clear(), p.arcs.clear(), p.sides.clear();
+    p.sites.clear(), p.vertices.clear(), p.arcs.clear(), p.arc_doubled.clear(), p.sides.clear();
 }
 
 void find_cells(const Plain& skeleton, const Network& network, std::int32_t begin, std::int32_t end,
@@ -120,6 +135,7 @@ void reserve(Polyhedra& p, const Network& n) {
     p.side_first.reserve(cells + 1);
     p.vertices.reserve(2 * over);
     p.arcs.reserve(3 * over);
+    p.arc_doubled.reserve(3 * over);
     p.sides.reserve(6 * over);
 }
 

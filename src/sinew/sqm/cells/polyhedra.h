@@ -30,7 +30,8 @@ struct Polyhedra {
     std::vector<Vec3> sites;     ///< cell -> unit direction in its middle
     std::vector<Vec3> vertices;  ///< unit directions from the joint, of an ellipsoid in its ball space
     std::vector<CellArc> arcs;
-    std::vector<std::int32_t> side_first;  ///< cell -> first side; cells + 1 entries
+    std::vector<std::uint8_t> arc_doubled;  ///< arc -> another one has both its ends in common
+    std::vector<std::int32_t> side_first;   ///< cell -> first side; cells + 1 entries
     std::vector<CellSide> sides;
 
     std::int32_t joint_count() const { return static_cast<std::int32_t>(cell_first.size()) - 1; }

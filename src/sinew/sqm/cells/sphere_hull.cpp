@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "sinew/base/portable_math.h"
+#include "sinew/sqm/cells/large_hull.h"
+#include "sinew/sqm/cells/near_directions.h"
 
 namespace sinew::sqm {
 namespace {
@@ -19,17 +21,24 @@ std::int64_t orientation(const GridPoint& a, const GridPoint& b, const GridPoint
     return (b - a).cross(c - a).dot(d - a);
 }
 
-void round_to_grid(std::span<const Vec3> points, std::vector<GridPoint>& grid) {
-    constexpr double steps = 1 << 18;
+constexpr double grid_steps = 1 << 18;
+/// Of a crowd, where neighbours may be so near each other that the coarser grid would put one inside.
+constexpr double fine_steps = std::int64_t{1} << 38;
+
+void round_to_grid(std::span<const Vec3> points, double steps, std::vector<GridPoint>& grid) {
     grid.clear();
     for (const Vec3& p : points)
         grid.push_back({std::llrint(p.x() * steps), std::llrint(p.y() * steps), std::llrint(p.z() * steps)});
 }
 
 /// Index of the first point off the plane of points 0, 1, 2, or the number of points.
-std::size_t first_off_plane(std::span<const GridPoint> grid) {
+std::size_t first_off_plane(std::span<const GridPoint> grid, bool wide) {
     std::size_t i = 3;
-    while (i < grid.size() && orientation(grid[0], grid[1], grid[2], grid[i]) == 0) ++i;
+    const auto in_plane = [&](const GridPoint& p) {
+        return wide ? wide_orientation(grid[0], grid[1], grid[2], p) == 0
+                    : orientation(grid[0], grid[1], grid[2], p) == 0;
+    };
+    while (i < grid.size() && in_plane(grid[i])) ++i;
     return i;
 }
 
@@ -62,6 +71,7 @@ class Incremental {
     Incremental(SphereHull& hull, std::int32_t count)
         : hull_(hull), count_(count), faces_(hull.triangles), seen_(hull.seen) {
         faces_.clear();
+        hull.stays.assign(static_cast<std::size_t>(count) * count, -1);
     }
 
     void start(std::array<std::int32_t, 4> t) {
@@ -90,16 +100,9 @@ class Incremental {
                 if (edge(b, a) >= 0) add({a, b, point});  // the face beyond stays: a, b is on the horizon
             }
     }
-    void finish() {
-        hull_.first = {0};
-        for (const Triangle& face : faces_) {
-            hull_.corner.insert(hull_.corner.end(), face.begin(), face.end());
-            hull_.first.push_back(static_cast<std::int32_t>(hull_.corner.size()));
-        }
-    }
 
   private:
-    std::int32_t& edge(std::int32_t a, std::int32_t b) { return hull_.face_of[a * count_ + b]; }
+    std::int32_t& edge(std::int32_t a, std::int32_t b) { return hull_.stays[a * count_ + b]; }
     bool sees(std::int32_t point, const Triangle& f) const {
         const auto& g = hull_.grid;
         return orientation(g[f[0]], g[f[1]], g[f[2]], g[point]) > 0;
@@ -114,30 +117,55 @@ class Incremental {
     std::vector<Triangle>&faces_, &seen_;
 };
 
+void take_triangles(std::span<const Triangle> triangles, SphereHull& hull) {
+    hull.first = {0};
+    for (const Triangle& face : triangles) {
+        hull.corner.insert(hull.corner.end(), face.begin(), face.end());
+        hull.first.push_back(static_cast<std::int32_t>(hull.corner.size()));
+    }
+}
+
 void index_edges(SphereHull& hull, std::int32_t count) {
+    hull.edge_first.assign(count + 1, 0);
+    for (const std::int32_t i : hull.corner) ++hull.edge_first[i + 1];
+    std::partial_sum(hull.edge_first.begin(), hull.edge_first.end(), hull.edge_first.begin());
+    hull.edges.resize(hull.corner.size());
+    std::vector<std::int32_t>& next = hull.next;
+    next.assign(hull.edge_first.begin(), hull.edge_first.end() - 1);
     for (std::int32_t f = 0; f < hull.face_count(); ++f) {
         const auto face = hull.face(f);
         for (std::size_t k = 0; k < face.size(); ++k)
-            hull.face_of[face[k] * count + face[(k + 1) % face.size()]] = f;
+            hull.edges[next[face[k]]++] = {face[k + 1 < face.size() ? k + 1 : 0], f};
     }
+    for (std::int32_t i = 0; i < count; ++i)
+        std::sort(hull.edges.begin() + hull.edge_first[i], hull.edges.begin() + hull.edge_first[i + 1],
+                  [](const auto& a, const auto& b) { return a.to < b.to; });
 }
 
 }  // namespace
 
+std::int32_t SphereHull::face_of(std::int32_t from, std::int32_t to) const {
+    const auto begin = edges.begin() + edge_first[from], end = edges.begin() + edge_first[from + 1];
+    const auto at = std::lower_bound(begin, end, to, [](const Edge& e, std::int32_t k) { return e.to < k; });
+    return at != end && at->to == to ? at->face : -1;
+}
+
 void find_sphere_hull(std::span<const Vec3> points, SphereHull& hull) {
     const auto count = static_cast<std::int32_t>(points.size());
-    round_to_grid(points, hull.grid);
+    const bool large = count > crowd;
+    round_to_grid(points, large ? fine_steps : grid_steps, hull.grid);
     hull.corner.clear();
-    hull.face_of.assign(static_cast<std::size_t>(count) * count, -1);
-    const auto off = static_cast<std::int32_t>(first_off_plane(hull.grid));
+    const auto off = static_cast<std::int32_t>(first_off_plane(hull.grid, large));
     if (off == count) {
         flat_hull(points, hull);
+    } else if (large) {
+        take_triangles(find_large_hull(points, hull.grid, {0, 1, 2, off}), hull);
     } else {
         Incremental incremental(hull, count);
         incremental.start({0, 1, 2, off});
         for (std::int32_t i = 3; i < count; ++i)
             if (i != off) incremental.insert(i);
-        incremental.finish();
+        take_triangles(hull.triangles, hull);
     }
     index_edges(hull, count);
 }

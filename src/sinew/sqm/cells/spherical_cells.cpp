@@ -9,6 +9,7 @@
 
 #include "sinew/base/portable_math.h"
 #include "sinew/sqm/cells/count_problem.h"
+#include "sinew/sqm/cells/near_directions.h"
 #include "sinew/sqm/cells/sphere_hull.h"
 
 namespace sinew::sqm {
@@ -36,10 +37,13 @@ constexpr int most_sides = 6;  // cells round a vertex, so that its valence is a
 /// between them, as each takes the area pi c^2: this makes it the least separation.
 constexpr double seed_spacing = 0.6;
 /// Each of two directions goes half of what lacks between them, and a little more, so that it ends.
+constexpr double golden = 2.399963229728653;  // radians: pi (3 - sqrt 5)
 constexpr double own_half = 0.51;
 constexpr double near_enough = 0.98;  // of the squared separation
 constexpr double longest_push = 0.5;  // of the separation: many neighbours push too hard together
 constexpr int most_pushes = 64;       // 16 do for all of the stars above
+constexpr int most_pushes_of_crowd = 16;
+constexpr double by_more_than_rounding = 1 + 1e-9;
 
 Vec3 any_normal_to(const Vec3& v) {
     int least = 0;
@@ -49,7 +53,6 @@ Vec3 any_normal_to(const Vec3& v) {
 
 /// Lays equal directions out on a small disc, as a sunflower does its seeds, so that all are apart.
 void part_equal(std::vector<Vec3>& sites, double spacing) {
-    constexpr double golden = 2.399963229728653;  // radians: pi (3 - sqrt 5)
     const std::vector<Vec3> drawn = sites;
     for (std::size_t i = 1; i < sites.size(); ++i) {
         const auto equal = [&](const Vec3& other) { return (drawn[i] - other).squaredNorm() <= 1e-12; };
@@ -62,34 +65,99 @@ void part_equal(std::vector<Vec3>& sites, double spacing) {
     }
 }
 
-bool too_close(std::span<const Vec3> sites, double square) {
-    for (std::size_t i = 1; i < sites.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if ((sites[i] - sites[j]).squaredNorm() < square) return true;
-    return false;
+/// The same for a crowd: directions nearer than a quarter of the least separation count as equal, so that no
+/// place is left with more than some of them.
+void part_crowd(std::vector<Vec3>& sites, double least) {
+    const double near = 0.25 * least;
+    NearDirections places(near, sites.size());
+    std::vector<Vec3> place;
+    std::vector<std::int32_t> twins;
+    for (Vec3& site : sites) {
+        std::int32_t found = -1;
+        places.for_near(site, [&](std::int32_t i) {
+            if (found < 0 && (place[i] - site).squaredNorm() < near * near) found = i;
+        });
+        if (found < 0) {
+            places.add(site);
+            place.push_back(site);
+            twins.push_back(0);
+            continue;
+        }
+        const Vec3 middle = place[found], x = any_normal_to(middle), y = middle.cross(x);
+        const double count = ++twins[found], out = seed_spacing * least * std::sqrt(count);
+        const auto [sine, cosine] = portable::sine_cosine(std::fmod(golden * count, 2 * M_PI));
+        site = (middle + out * (cosine * x + sine * y)).normalized();
+    }
 }
 
-/// Pushes directions apart, all pairs at once so that their order does not matter.
-void separate(std::vector<Vec3>& sites, std::vector<Vec3>& push) {
-    const double least = std::min(least_separation, 1 / std::sqrt(static_cast<double>(sites.size())));
-    if (!too_close(sites, least * least)) return;
-    part_equal(sites, seed_spacing * least);
-    for (int round = 0; round < most_pushes && too_close(sites, near_enough * least * least); ++round) {
-        push.assign(sites.size(), Vec3::Zero());
+/// The square of the least distance between two of the directions, of a crowd only up to that of `reach`.
+double least_square(std::span<const Vec3> sites, double reach) {
+    if (std::ssize(sites) > crowd) {
+        double nearest = reach * reach;
+        NearDirections before(reach, sites.size());
+        for (std::size_t i = 0; i < sites.size() && nearest > 0; ++i) {
+            before.for_near(sites[i], [&](std::int32_t j) {
+                nearest = std::min(nearest, (sites[i] - sites[j]).squaredNorm());
+            });
+            before.add(sites[i]);
+        }
+        return nearest;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < sites.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) least = std::min(least, (sites[i] - sites[j]).squaredNorm());
+    return least;
+}
+
+/// What one direction is pushed by another.
+Vec3 push_by(const Vec3& site, const Vec3& other, double least) {
+    const Vec3 apart = site - other;
+    const double distance = apart.norm();
+    if (distance >= least || distance == 0) return Vec3::Zero();
+    return apart * (own_half * (least - distance) / distance);
+}
+
+/// Pushes directions apart once, all pairs at once so that their order does not matter.
+void push_apart(std::vector<Vec3>& sites, double least, std::vector<Vec3>& push) {
+    push.assign(sites.size(), Vec3::Zero());
+    if (std::ssize(sites) > crowd) {
+        const NearDirections all(least, sites);
+        for (std::size_t i = 0; i < sites.size(); ++i)
+            all.for_near(sites[i], [&](std::int32_t j) { push[i] += push_by(sites[i], sites[j], least); });
+    } else {
         for (std::size_t i = 1; i < sites.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
-                const Vec3 apart = sites[i] - sites[j];
-                const double distance = apart.norm();
-                if (distance >= least) continue;
-                const Vec3 half = apart * (own_half * (least - distance) / distance);
+                const Vec3 half = push_by(sites[i], sites[j], least);
                 push[i] += half;
                 push[j] -= half;
             }
-        for (std::size_t i = 0; i < sites.size(); ++i) {
-            const double far = std::max(1.0, push[i].norm() / (longest_push * least));
-            sites[i] = (sites[i] + push[i] / far).normalized();
-        }
     }
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        const double far = std::max(1.0, push[i].norm() / (longest_push * least));
+        sites[i] = (sites[i] + push[i] / far).normalized();
+    }
+}
+
+/// Pushes directions apart until all are, or so many times. Where there is no room, as for more than a
+/// hundred in one plane, pushing makes a muddle of them: then those of the round stay, the drawn ones or
+/// later ones, in which the nearest two were furthest apart.
+void separate(std::vector<Vec3>& sites, std::vector<Vec3>& push) {
+    const double least = std::min(least_separation, 1 / std::sqrt(static_cast<double>(sites.size())));
+    const double drawn = least_square(sites, least);
+    if (drawn >= least * least) return;
+    // A crowd that is half as far apart as spokes in one plane can be stays as it is.
+    const double spokes = M_PI / static_cast<double>(sites.size());
+    if (std::ssize(sites) > crowd && drawn >= spokes * spokes) return;
+    std::ssize(sites) > crowd ? part_crowd(sites, least) : part_equal(sites, seed_spacing * least);
+    std::vector<Vec3> best = sites;
+    double square = least_square(sites, least), best_square = square;
+    const int most = std::ssize(sites) > crowd ? most_pushes_of_crowd : most_pushes;
+    for (int round = 0; round < most && square < near_enough * least * least; ++round) {
+        push_apart(sites, least, push);
+        square = least_square(sites, least);
+        if (square > best_square * by_more_than_rounding) best = sites, best_square = square;
+    }
+    sites = std::move(best);
 }
 
 std::int32_t before(std::span<const std::int32_t> face, std::int32_t point) {
@@ -104,26 +172,67 @@ Vec3 face_normal(std::span<const std::int32_t> face, std::span<const Vec3> sites
     return sum.normalized();
 }
 
-/// The dual of the hull: a vertex a face, an arc an edge, a cell a point.
+/// The corner before a point in a face of the hull; of two opposite polygons, by where each point is.
+class CornersBefore {
+  public:
+    explicit CornersBefore(const SphericalCells& cells) : hull_(cells.hull) {
+        if (hull_.face_count() != 2) return;
+        place_.resize(cells.sites.size());
+        for (int f = 0; f < 2; ++f)
+            for (std::size_t k = 0; k < hull_.face(f).size(); ++k)
+                place_[hull_.face(f)[k]][f] = static_cast<std::int32_t>(k);
+    }
+    std::int32_t operator()(std::int32_t face, std::int32_t point) const {
+        const auto corners = hull_.face(face);
+        if (place_.empty()) return before(corners, point);
+        const std::int32_t at = place_[point][face];
+        return corners[at == 0 ? corners.size() - 1 : at - 1];
+    }
+
+  private:
+    const SphereHull& hull_;
+    std::vector<std::array<std::int32_t, 2>> place_;
+};
+
+/// Which arc is between two cells, by the edges of the hull: those that leave its lower end come in order.
+class ArcsOfEdges {
+  public:
+    explicit ArcsOfEdges(SphericalCells& cells) : hull_(cells.hull), arc_of_(cells.arc_of) {
+        cells.arcs.clear();
+        arc_of_.assign(hull_.edges.size(), -1);
+        for (std::int32_t i = 0; i < cells.cell_count(); ++i)
+            for (std::int32_t e = hull_.edge_first[i]; e < hull_.edge_first[i + 1]; ++e) {
+                const std::int32_t k = hull_.edges[e].to;
+                if (k < i) continue;
+                arc_of_[e] = static_cast<std::int32_t>(cells.arcs.size());
+                cells.arcs.push_back({hull_.face_of(k, i), hull_.edges[e].face, i, k});
+            }
+    }
+    std::int32_t operator()(std::int32_t a, std::int32_t b) const {
+        const std::int32_t low = std::min(a, b), high = std::max(a, b);
+        const auto begin = hull_.edges.begin() + hull_.edge_first[low],
+                   end = hull_.edges.begin() + hull_.edge_first[low + 1];
+        const auto at = std::lower_bound(begin, end, high,
+                                         [](const SphereHull::Edge& e, std::int32_t k) { return e.to < k; });
+        return arc_of_[at - hull_.edges.begin()];
+    }
+
+  private:
+    const SphereHull& hull_;
+    std::vector<std::int32_t>& arc_of_;
+};
+
+/// The dual of the hull: a vertex a face, an arc an edge, a cell a point. Every point is a corner of the
+/// hull, so that the walk round each is a ring of its faces.
 void dualise(SphericalCells& cells) {
     const SphereHull& hull = cells.hull;
     const std::int32_t count = cells.cell_count();
     cells.vertices.clear();
     for (std::int32_t f = 0; f < hull.face_count(); ++f)
         cells.vertices.push_back(face_normal(hull.face(f), cells.sites));
-
-    // Arcs are found again through the edge table, which is not needed for faces any more once all arcs are
-    // known.
-    cells.arcs.clear();
-    std::vector<std::int32_t>&arc_of = cells.arc_of, &any_face = cells.any_face;
-    arc_of.assign(static_cast<std::size_t>(count) * count, -1);
-    for (std::int32_t i = 0; i < count; ++i)
-        for (std::int32_t k = i + 1; k < count; ++k) {
-            if (hull.face_of[i * count + k] < 0) continue;
-            arc_of[i * count + k] = arc_of[k * count + i] = static_cast<std::int32_t>(cells.arcs.size());
-            cells.arcs.push_back({hull.face_of[k * count + i], hull.face_of[i * count + k], i, k});
-        }
-
+    const ArcsOfEdges arc_of(cells);
+    const CornersBefore corner_before(cells);
+    std::vector<std::int32_t>& any_face = cells.any_face;
     any_face.assign(count, -1);
     for (std::int32_t f = 0; f < hull.face_count(); ++f)
         for (const std::int32_t i : hull.face(f)) any_face[i] = f;
@@ -132,12 +241,38 @@ void dualise(SphericalCells& cells) {
     for (std::int32_t i = 0; i < count; ++i) {
         std::int32_t f = any_face[i];
         do {
-            const std::int32_t k = before(hull.face(f), i);
-            cells.sides.push_back({arc_of[i * count + k], i > k});
-            f = hull.face_of[i * count + k];
+            const std::int32_t k = corner_before(f, i);
+            cells.sides.push_back({arc_of(i, k), i > k});
+            f = hull.face_of(i, k);
         } while (f != any_face[i]);
         cells.side_first.push_back(static_cast<std::int32_t>(cells.sides.size()));
     }
+}
+
+/// Directions spread over the sphere as a sunflower's seeds: all are corners of their hull.
+void spread_evenly(std::vector<Vec3>& sites) {
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(sites.size());
+        const auto [sine, cosine] = portable::sine_cosine(std::fmod(golden * double(i), 2 * M_PI));
+        sites[i] = Vec3(std::sqrt(1 - z * z) * cosine, std::sqrt(1 - z * z) * sine, z).normalized();
+    }
+}
+
+bool has_all_points(const SphereHull& hull) {
+    for (std::size_t i = 0; i + 1 < hull.edge_first.size(); ++i)
+        if (hull.edge_first[i] == hull.edge_first[i + 1]) return false;
+    return true;
+}
+
+/// The hull and its dual. Directions too near each other for the grid are not all corners of their hull: such
+/// a joint has cells all the same, though not where its bones are.
+void find_dual(SphericalCells& cells) {
+    find_sphere_hull(cells.sites, cells.hull);
+    if (!has_all_points(cells.hull)) {
+        spread_evenly(cells.sites);
+        find_sphere_hull(cells.sites, cells.hull);
+    }
+    dualise(cells);
 }
 
 /// Three cells are lunes between two opposite vertices, wherever the directions are.
@@ -321,6 +456,7 @@ bool has_short_arc(const SphericalCells& cells, double limit) {
 /// Merges what is short, or, where that leaves cells that cannot be balanced, what has no length at all, or
 /// nothing.
 void merge_short_arcs(SphericalCells& cells, int most) {
+    if (cells.cell_count() > crowd) return;  // all its arcs are short, and no edge of it is seen
     for (const double limit : {shortest_arc, no_length}) {
         if (!has_short_arc(cells, limit)) return;
         SphericalCells merged = cells;
@@ -360,15 +496,13 @@ void find_spherical_cells(std::span<const Vec3> directions, SphericalCells& cell
     separate(cells.sites, cells.vertices);
     if (cells.cell_count() == 3) return make_three_lunes(cells);
     for (int round = 0; round < 4; ++round) {
-        find_sphere_hull(cells.sites, cells.hull);
-        dualise(cells);
+        find_dual(cells);
         merge_short_arcs(cells, std::numeric_limits<int>::max());
         if (!is_crowded(cells)) return;
         if (!part_crowded_vertices(cells)) break;
     }
     // There is no room for more: rather short arcs than crowded vertices.
-    find_sphere_hull(cells.sites, cells.hull);
-    dualise(cells);
+    find_dual(cells);
     merge_short_arcs(cells, most_sides);
 }
 

@@ -12,17 +12,6 @@ constexpr std::int32_t across_groove =
     10;  // pieces of an arc between two dents: to the rim, over wall, floor, wall and rim, and on
 constexpr double longest_on_ball = 0.6;  // radians of an arc in one piece on a ball
 
-/// Arcs with both ends in common must not be one edge each.
-bool needs_middle(const Polyhedra& p, std::int32_t joint, std::int32_t arc) {
-    const CellArc& a = p.arcs[arc];
-    for (std::int32_t b = p.arc_first[joint]; b < p.arc_first[joint + 1]; ++b) {
-        const CellArc& c = p.arcs[b];
-        const bool same = (a.from == c.from && a.to == c.to) || (a.from == c.to && a.to == c.from);
-        if (b != arc && same) return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 std::int32_t least_pieces(const Plain& skeleton, const Network& network, const Polyhedra& p,
@@ -36,7 +25,7 @@ std::int32_t least_pieces(const Plain& skeleton, const Network& network, const P
         return across_groove;
     const bool on_ball = form && (form->kind == Form::Kind::ball || form->sides > 4);
     const double length = on_ball || !form ? arc_length(p, p.arcs[arc]) : 0;
-    const std::int32_t least = needs_middle(p, joint, arc) ? 2 : 1;
+    const std::int32_t least = p.arc_doubled[arc] ? 2 : 1;  // two arcs must not be one edge
     if (!form) return std::max(least, static_cast<std::int32_t>(std::ceil(length / longest_at_blend)));
     if (length > 2.3 * longest_on_ball) return 4;
     return length > longest_on_ball ? 2 : least;

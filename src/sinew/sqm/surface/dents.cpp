@@ -30,6 +30,10 @@ constexpr double groove_step = 0.1;
 /// In such steps: dents of one width w that overlap are less than 2 w apart.
 constexpr int longest_groove = 20;
 
+/// Pairs of dents of one joint that may become grooves. More of them leave nothing of the surface between
+/// that a groove would be seen in, and cost the square of their number at every place that is asked about.
+constexpr std::size_t most_grooves = 128;
+
 /// Whether a place at this distance from the joint's centre is below its surface: in a dent.
 bool is_sunk(double distance, double surface) { return distance < (1 - least_dent) * surface; }
 
@@ -101,6 +105,19 @@ void add_groove(const Network& n, JointSurfaces& surfaces, std::int32_t joint, c
         surfaces.pits.push_back(between(n, surfaces, joint, centre, a, b, double(i) / steps, whole));
 }
 
+/// The pairs of dents, of those from `first` to before `end`, that overlap; none if they are too many.
+std::vector<std::array<std::int32_t, 2>> overlapping(const JointSurfaces& surfaces, std::int32_t first,
+                                                     std::int32_t end) {
+    std::vector<std::array<std::int32_t, 2>> pairs;
+    for (std::int32_t a = first; a < end; ++a)
+        for (std::int32_t b = a + 1; b < end; ++b) {
+            if (overlap(surfaces.pits[a], surfaces.pits[b]) == 0) continue;
+            if (pairs.size() == most_grooves) return {};
+            pairs.push_back({a, b});
+        }
+    return pairs;
+}
+
 }  // namespace
 
 bool dents_overlap(const JointSurfaces& surfaces, std::int32_t slot, std::int32_t other) {
@@ -127,9 +144,8 @@ void find_dents(const Plain& s, const Network& n, JointSurfaces& surfaces) {
                 surfaces.pits.push_back(pit_of(s, centre, n.next_node(slot)));
             }
         const auto own = surfaces.groove_first[j] = static_cast<std::int32_t>(surfaces.pits.size());
-        for (std::int32_t a = first; a < own; ++a)
-            for (std::int32_t b = a + 1; b < own; ++b)
-                add_groove(n, surfaces, j, centre, surfaces.pits[a], surfaces.pits[b]);
+        for (const auto& [a, b] : overlapping(surfaces, first, own))
+            add_groove(n, surfaces, j, centre, surfaces.pits[a], surfaces.pits[b]);
     }
     surfaces.pit_first.back() = static_cast<std::int32_t>(surfaces.pits.size());
 }
@@ -146,9 +162,13 @@ double press_dents(const JointSurfaces& surfaces, std::int32_t joint, const Vec3
                    double distance) {
     if (surfaces.pits.empty()) return distance;
     const double least = nearest_to_centre * distance;
-    for (bool moved = true; moved;) {  // until no order of the dents would take away more
+    const std::int32_t first = surfaces.pit_first[joint], end = surfaces.pit_first[joint + 1];
+    bool moved = true;
+    // Until no order of the dents would take away more. A ray leaves each dent, which is convex, but once: so
+    // there are no more rounds than dents.
+    for (std::int32_t round = first; moved && round < end; ++round) {
         moved = false;
-        for (std::int32_t i = surfaces.pit_first[joint]; i < surfaces.pit_first[joint + 1]; ++i) {
+        for (std::int32_t i = first; i < end; ++i) {
             const double pressed = surfaces.pits[i].press(centre, ray, distance);
             moved = moved || pressed < distance;
             distance = pressed;
@@ -174,13 +194,14 @@ Vec3 rim_towards(const Network& n, const JointSurfaces& surfaces, std::int32_t j
     constexpr double behind = 3;  // radians: nearly opposite to the dent, where `side` leads nowhere any more
     constexpr int halvings = 30;  // of a step: to 1e-9 of it
     constexpr int steps_a_dent = 4;  // of the angle that the narrowest half width is seen at
+    constexpr int most_steps = 256;  // to what is behind, however narrow the dent is
     const Vec3 side = (ray - ray.dot(pit.z) * pit.z).normalized();
     const auto at = [&](double angle) -> Vec3 {
         const auto [sine, cosine] = portable::sine_cosine(angle);
         return cosine * pit.z + sine * side;
     };
-    const double step =
-        portable::angle_of(pit.half.head<2>().minCoeff(), (pit.middle - centre).norm()) / steps_a_dent;
+    const double narrow = portable::angle_of(pit.half.head<2>().minCoeff(), (pit.middle - centre).norm());
+    const double step = std::max(narrow / steps_a_dent, behind / most_steps);
     double inside = 0, outside = step;
     while (outside < behind && leads_into_dent(n, surfaces, joint, centre, at(outside)))
         inside = outside, outside += step;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "sinew/extend/frames.h"
+#include "sinew/sqm/cells/near_directions.h"
 #include "sinew/sqm/surface/dents.h"
 
 namespace sinew::sqm {
@@ -29,13 +30,23 @@ bool is_bone_between_joints(const Network& n, std::int32_t path) {
     return n.nodes(path).size() == 2 && n.path_end[path][0].at_joint() && n.path_end[path][1].at_joint();
 }
 
+/// The greatest cosine between a bone and another one of its joint.
+double nearest_cosine(const Network& n, const JointSurfaces& surfaces, std::int32_t joint,
+                      std::int32_t slot) {
+    if (const CrowdedSlots* crowd = surfaces.crowd(joint))
+        return crowd->nearest_cosine(surfaces.cones(n, joint), slot - n.slot_first[joint]);
+    double nearest = -1;
+    for (std::int32_t other = n.slot_first[joint]; other < n.slot_first[joint + 1]; ++other)
+        if (other != slot)
+            nearest = std::max(nearest, surfaces.cone[slot].axis.dot(surfaces.cone[other].axis));
+    return nearest;
+}
+
 /// How far along its bone a joint would like to reach: to where the tube leaves the nearest of its
 /// neighbours, at half the angle between both.
 double wanted_reach(const Network& n, const JointSurfaces& surfaces, std::int32_t joint, std::int32_t slot) {
     const ConeFrom& cone = surfaces.cone[slot];
-    double nearest = -1;  // cosine
-    for (std::int32_t other = n.slot_first[joint]; other < n.slot_first[joint + 1]; ++other)
-        if (other != slot) nearest = std::max(nearest, cone.axis.dot(surfaces.cone[other].axis));
+    const double nearest = nearest_cosine(n, surfaces, joint, slot);
     const double tangent = std::sqrt((1 - std::min(1.0, nearest)) / (1 + nearest + 1e-12));
     const double closing = cone.cosine * tangent + cone.sine;
     const double reach = closing > 0 ? cone.near / closing : cone.length;
@@ -64,10 +75,7 @@ void share_bone(const Network& n, std::int32_t path, JointSurfaces& surfaces) {
 /// Whether another bone leaves a joint in the very direction of this one.
 bool is_along_another(const Network& n, const JointSurfaces& surfaces, std::int32_t joint,
                       std::int32_t slot) {
-    for (std::int32_t other = n.slot_first[joint]; other < n.slot_first[joint + 1]; ++other)
-        if (other != slot && surfaces.cone[slot].axis.dot(surfaces.cone[other].axis) > same_direction)
-            return true;
-    return false;
+    return nearest_cosine(n, surfaces, joint, slot) > same_direction;
 }
 
 /// Where the bones of a narrow fork part beyond the next node, the joint ends before that node: further, it
@@ -98,6 +106,16 @@ SlotKind kind_of(const Plain& s, const Network& n, std::int32_t node, std::int32
                (f->section == Section::rectangular || f->half.x() != f->half.y());
     };
     return shaped(node) || (shaped(next) && !s.is_body(next)) ? SlotKind::beam : SlotKind::cone;
+}
+
+/// The joints whose bones are too many to go through for every ray.
+void find_crowds(const Network& n, JointSurfaces& surfaces) {
+    for (std::int32_t j = 0; j < n.joint_count(); ++j) {
+        if (n.degree(j) <= crowd) continue;
+        surfaces.crowd_of.resize(n.joint_count(), -1);
+        surfaces.crowd_of[j] = static_cast<std::int32_t>(surfaces.crowds.size());
+        surfaces.crowds.emplace_back(surfaces.cones(n, j));
+    }
 }
 
 BeamFrom beam_of(const Plain& s, std::int32_t node, std::int32_t next, const ConeFrom& cone) {
@@ -147,10 +165,14 @@ JointSurfaces find_surfaces(const Plain& s, const Network& n) {
             }
         }
     });
+    find_crowds(n, surfaces);
     tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, n.path_count(), 128), [&](const auto& range) {
         for (std::int32_t p = range.begin(); p < range.end(); ++p)
             is_bone_between_joints(n, p) ? share_bone(n, p, surfaces) : end_at_next_node(n, p, surfaces);
     });
+    for (std::int32_t j = 0; j < std::ssize(surfaces.crowd_of); ++j)
+        if (surfaces.crowd_of[j] >= 0)
+            surfaces.crowds[surfaces.crowd_of[j]].set_limits(surfaces.limits(n, j));
     if (s.forms.empty()) return surfaces;
     for (std::int32_t j = 0; j < n.joint_count(); ++j) {
         const std::int32_t node = n.joint_node[j];

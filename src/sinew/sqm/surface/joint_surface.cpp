@@ -48,6 +48,8 @@ double exit_without_dents(const Network& network, const JointSurfaces& surfaces,
     if (body && body->kind == Form::Kind::box) return exit_of_box(*body, ray);
     if (body && body->kind == Form::Kind::ball) return exit_of_ellipsoid(*body, ray);
     double distance = 0;
+    if (const CrowdedSlots* crowd = surfaces.only_cones[joint] ? surfaces.crowd(joint) : nullptr)
+        return crowd->exit(surfaces.cones(network, joint), ray);
     for (std::int32_t slot = network.slot_first[joint]; slot < network.slot_first[joint + 1]; ++slot) {
         if (surfaces.kind[slot] == SlotKind::cone)
             distance = std::max(distance, surfaces.cone[slot].exit(ray));

@@ -6,10 +6,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sinew/base/round_cone.h"
 #include "sinew/sqm/network.h"
+#include "sinew/sqm/surface/crowded_slots.h"
 
 namespace sinew::sqm {
 
@@ -57,6 +59,18 @@ struct JointSurfaces {
     std::vector<double>
         rolling;  ///< joint -> radius of the ball that blends its cones; empty: none is blended
     std::vector<std::uint8_t> only_cones;  ///< joint -> it has no body, and all its slots add cones
+    std::vector<CrowdedSlots> crowds;      ///< of the joints of very many bones
+    std::vector<std::int32_t> crowd_of;    ///< joint -> index in crowds, -1: none; empty without crowds
+
+    const CrowdedSlots* crowd(std::int32_t joint) const {
+        return crowd_of.empty() || crowd_of[joint] < 0 ? nullptr : &crowds[crowd_of[joint]];
+    }
+    std::span<const ConeFrom> cones(const Network& n, std::int32_t joint) const {
+        return {cone.data() + n.slot_first[joint], cone.data() + n.slot_first[joint + 1]};
+    }
+    std::span<const double> limits(const Network& n, std::int32_t joint) const {
+        return {limit.data() + n.slot_first[joint], limit.data() + n.slot_first[joint + 1]};
+    }
 };
 
 /// Where the ray from a joint's centre leaves its surface before any dent was pressed into it: the distance.
