@@ -95,7 +95,8 @@ Result<bool> is_mesh(const Job& job, const FileOptions& files) {
     const bool skeleton = choose_format(job.input, files.from, FormatUse::read_skeleton).has_value();
     const auto mesh = choose_format(job.input, files.from, FormatUse::read_mesh);
     if (!skeleton && !mesh) return fail(mesh.error());
-    if (skeleton && mesh && job.input != "-") return read_input_mesh(job, files).has_value();
+    if (skeleton && mesh && job.input != "-")
+        return interruptibly([&] { return holds_mesh(job.input, files.from); });
     return mesh.has_value();
 }
 
