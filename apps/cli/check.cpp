@@ -32,7 +32,7 @@ struct CheckCommand {
 Result<Outcome> CheckCommand::mesh(Session& session, const Job& job) const {
     std::optional<SkeletonFacts> facts;
     if (!skeleton.empty()) {
-        const auto read = read_skeleton(skeleton);
+        const auto read = interruptibly([&] { return read_skeleton(skeleton); });
         if (!read) return fail(read.error());
         facts = facts_of(*read);
     }

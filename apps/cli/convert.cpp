@@ -46,7 +46,7 @@ Result<Outcome> ConvertCommand::skeleton(Session& session, const Job& job) const
     if (!written) return fail(written.error());
 
     Outcome outcome;
-    outcome.text = fmt::format("{}: {} nodes\n", job.output, read->document.nodes.size());
+    outcome.text = fmt::format("{}: {}\n", job.output, counted(read->document.nodes.size(), "node", "nodes"));
     outcome.json["nodes"] = read->document.nodes.size();
     return outcome;
 }

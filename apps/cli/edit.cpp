@@ -209,7 +209,8 @@ struct EditCommand {
         if (const auto written = write_output_skeleton(session, document, job, files); !written)
             return fail(written.error());
         const std::size_t nodes = document.nodes.size(), bones = bones_of(document).size();
-        return Outcome{.text = fmt::format("{}: {} nodes, {} bones\n", job.output, nodes, bones),
+        return Outcome{.text = fmt::format("{}: {}, {}\n", job.output, counted(nodes, "node", "nodes"),
+                                           counted(bones, "bone", "bones")),
                        .json = {{"nodes", nodes}, {"bones", bones}}};
     }
 };

@@ -4,18 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
-#include "cli/interrupt.h"
 #include "sinew/io/files.h"
 
 namespace sinew::cli {
 namespace {
 
-/// Reading may be broken off at any time.
-template <class Read>
-auto interruptibly(const Read& read) {
-    const InterruptsEndProgram meanwhile;
-    return read();
+/// Writing may be broken off where it waits for somebody else, such as the reader of a pipe.
+template <class Write>
+auto unless_waiting(const std::string& path, const Write& write) {
+    std::optional<InterruptsEndProgram> meanwhile;
+    if (writes_directly(path)) meanwhile.emplace();
+    return write();
 }
 
 struct FaceCounts {
@@ -32,6 +33,10 @@ FaceCounts count_faces(const QuadMesh& mesh) {
 }
 
 }  // namespace
+
+std::string counted(std::size_t count, std::string_view one, std::string_view more) {
+    return fmt::format("{} {}", count, count == 1 ? one : more);
+}
 
 Result<void> heed_interrupt() {
     if (interrupted()) return Progress::stopped();
@@ -95,7 +100,8 @@ Result<bool> is_mesh(const Job& job, const FileOptions& files) {
     const bool skeleton = choose_format(job.input, files.from, FormatUse::read_skeleton).has_value();
     const auto mesh = choose_format(job.input, files.from, FormatUse::read_mesh);
     if (!skeleton && !mesh) return fail(mesh.error());
-    if (skeleton && mesh && job.input != "-") return read_input_mesh(job, files).has_value();
+    if (skeleton && mesh && job.input != "-")
+        return interruptibly([&] { return holds_mesh(job.input, files.from); });
     return mesh.has_value();
 }
 
@@ -126,13 +132,14 @@ Result<void> write_output_mesh(const QuadMesh& mesh, const Job& job, const FileO
                                MeshWriteOptions options) {
     if (auto on = heed_interrupt(); !on) return on;
     options.format = files.to;
-    return write_mesh(mesh, job.output, options);
+    return unless_waiting(job.output, [&] { return write_mesh(mesh, job.output, options); });
 }
 
 Result<void> write_output_skeleton(Session& session, const Document& document, const Job& job,
                                    const FileOptions& files) {
     if (auto on = heed_interrupt(); !on) return on;
-    const auto written = write_skeleton(document, job.output, files.to);
+    const auto written =
+        unless_waiting(job.output, [&] { return write_skeleton(document, job.output, files.to); });
     if (!written) return fail(written.error());
     return session.warn(job.output == "-" ? job.input : job.output, *written);
 }
@@ -149,9 +156,11 @@ Json counts_json(const QuadMesh& mesh) {
 
 std::string counts_text(const QuadMesh& mesh) {
     const FaceCounts counts = count_faces(mesh);
-    std::string text = fmt::format("{} vertices, {} quads", mesh.vertex_count(), counts.quads);
-    if (counts.triangles > 0) text += fmt::format(", {} triangles", counts.triangles);
-    if (counts.others > 0) text += fmt::format(", {} larger faces", counts.others);
+    const auto size = [](std::int64_t count) { return static_cast<std::size_t>(count); };
+    std::string text = counted(mesh.vertex_count(), "vertex", "vertices") + ", " +
+                       counted(size(counts.quads), "quad", "quads");
+    if (counts.triangles > 0) text += ", " + counted(size(counts.triangles), "triangle", "triangles");
+    if (counts.others > 0) text += ", " + counted(size(counts.others), "larger face", "larger faces");
     return text;
 }
 

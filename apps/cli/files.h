@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/interrupt.h"
 #include "cli/session.h"
 #include "sinew/io/mesh_formats.h"
 #include "sinew/io/skeleton_formats.h"
@@ -49,6 +50,16 @@ CLI::Validator at_least(std::int64_t least, std::int64_t most = 1'000'000'000);
 
 /// A check for words: one of the choices.
 CLI::Validator one_of(std::vector<std::string> choices);
+
+/// What may be broken off at any time: reading, and all else before there is anything to clean up.
+template <class Work>
+auto interruptibly(const Work& work) {
+    const InterruptsEndProgram meanwhile;
+    return work();
+}
+
+/// "1 node", "2 nodes".
+std::string counted(std::size_t count, std::string_view one, std::string_view more);
 
 /// Fails (kind cancelled) once Ctrl-C was pressed: look before anything is written.
 Result<void> heed_interrupt();

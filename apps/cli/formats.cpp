@@ -35,7 +35,12 @@ void add_formats(CLI::App& program, Session& session) {
     CLI::App& app = *program.add_subcommand("formats", "List the file formats and what each can carry");
     app.footer(formats_examples);
     app.add_flag("--json", session.json, "Print the list as JSON");
-    app.callback([&session] { session.put(session.json ? line_of(formats_json()) + "\n" : formats_text()); });
+    app.callback([&session] {
+        if (session.json)
+            session.put_json(formats_json());
+        else
+            session.put(formats_text());
+    });
 }
 
 }  // namespace sinew::cli

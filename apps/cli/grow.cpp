@@ -31,15 +31,17 @@ Result<Outcome> GrowCommand::work(Session& session, const Job& job) const {
         return fail(able.error());
     const auto text = read_input_text(job);
     if (!text) return fail(text.error());
-    const auto grammar = parse_grammar(*text, input_name(job.input));
-    if (!grammar) return fail(grammar.error());
-    const auto document = grow(*grammar, options, session.progress());
+    const auto document = interruptibly([&]() -> Result<Document> {
+        const auto grammar = parse_grammar(*text, input_name(job.input));
+        if (!grammar) return fail(grammar.error());
+        return grow(*grammar, options, session.progress());
+    });
     if (!document) return fail(document.error());
     const auto written = write_output_skeleton(session, *document, job, files);
     if (!written) return fail(written.error());
 
     Outcome outcome;
-    outcome.text = fmt::format("{}: {} nodes\n", job.output, document->nodes.size());
+    outcome.text = fmt::format("{}: {}\n", job.output, counted(document->nodes.size(), "node", "nodes"));
     outcome.json["nodes"] = document->nodes.size();
     return outcome;
 }

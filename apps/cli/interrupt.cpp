@@ -26,6 +26,10 @@ void handle_with(void (*handler)(int)) {
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    struct sigaction before {};
+    if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler == SIG_IGN)
+        return;  // as nohup wants it
+    sigaction(SIGHUP, &action, nullptr);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace sinew::cli {
 
-/// From now on SIGINT and SIGTERM set interrupted(); the second one ends the program at once.
+/// From now on SIGINT, SIGTERM and SIGHUP set interrupted(); the second one ends the program at once.
 void catch_interrupts();
 
 /// Set by a signal; hand it to Progress.

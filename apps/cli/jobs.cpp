@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "sinew/io/files.h"
 #include "sinew/io/formats.h"
 
 namespace sinew::cli {
@@ -49,6 +50,25 @@ Result<std::vector<Job>> jobs_into_folder(const FileOptions& options, std::strin
     return jobs;
 }
 
+/// A file may be written back in its own format; one of another would be lost.
+Result<std::vector<Job>> not_over_inputs(const FileOptions& options, std::vector<Job> jobs) {
+    const auto format = [](const std::string& path, const std::string& name) {
+        return name.empty() ? extension_of(path) : name.starts_with('.') ? name : "." + name;
+    };
+    for (const Job& job : jobs) {
+        std::error_code missing;
+        if (job.input == "-" || job.output == "-" || !fs::is_regular_file(job.input, missing) ||
+            !fs::equivalent(job.input, job.output, missing))
+            continue;
+        if (format(job.input, options.from) != format(job.output, options.to))
+            return fail(Error{.kind = ErrorKind::call,
+                              .message = "the result would replace its own input by another format",
+                              .cure = "name another file with -o",
+                              .file = job.output});
+    }
+    return jobs;
+}
+
 }  // namespace
 
 Result<std::vector<Job>> plan_jobs(const FileOptions& options, std::string_view extension) {
@@ -63,7 +83,7 @@ Result<std::vector<Job>> plan_jobs(const FileOptions& options, std::string_view 
         return fail(ErrorKind::call, "several results do not go into one standard output",
                     "name a folder with -o");
     if (options.output == "-" || !is_folder(options))
-        return std::vector<Job>{{options.inputs.front(), options.output}};
+        return not_over_inputs(options, {{options.inputs.front(), options.output}});
 
     std::error_code ignored;
     if (fs::exists(options.output, ignored) && !fs::is_directory(options.output, ignored))
@@ -73,7 +93,9 @@ Result<std::vector<Job>> plan_jobs(const FileOptions& options, std::string_view 
                           .file = options.output});
     const auto suffix = extension_in_folder(options, extension);
     if (!suffix) return fail(suffix.error());
-    return jobs_into_folder(options, *suffix);
+    auto jobs = jobs_into_folder(options, *suffix);
+    if (!jobs) return jobs;
+    return not_over_inputs(options, *std::move(jobs));
 }
 
 Result<void> make_folder(const FileOptions& options) {

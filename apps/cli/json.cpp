@@ -1,5 +1,7 @@
 #include "cli/json.h"
 
+#include "cli/terminal.h"
+
 namespace sinew::cli {
 namespace {
 
@@ -37,6 +39,8 @@ Json to_json(const Warnings& warnings) {
     return list;
 }
 
-std::string line_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string line_of(const Json& value) {
+    return printable_json(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
 
 }  // namespace sinew::cli

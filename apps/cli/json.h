@@ -15,7 +15,8 @@ Json to_json(const Error& error);
 /// [{"message", "count", "nodes"}]
 Json to_json(const Warnings& warnings);
 
-/// One line of text; bytes that are no UTF-8 (in file names) become U+FFFD.
+/// One line of text; bytes that are no UTF-8 (in file names) become U+FFFD, and
+/// nothing in it is obeyed by a terminal.
 std::string line_of(const Json& value);
 
 }  // namespace sinew::cli

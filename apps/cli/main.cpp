@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <sstream>
 
 #include "cli/commands.h"
 #include "cli/hints.h"
@@ -57,7 +58,11 @@ std::string hint(const CLI::App& command, const std::string& word) {
     return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
 }
 
-std::string describe(const CLI::App& program, const CLI::ParseError& error) {
+struct Complaint {
+    std::string text, advice;
+};
+
+Complaint describe(const CLI::App& program, const CLI::ParseError& error) {
     const CLI::App& command = chosen_command(program);
     const std::vector<std::string> unknown = program.remaining(true);
     std::string text = error.what();
@@ -74,7 +79,7 @@ std::string describe(const CLI::App& program, const CLI::ParseError& error) {
         text = "a command is needed";
     }
     const std::string name = &command == &program ? "sinew" : "sinew " + command.get_name();
-    return fmt::format("{}\nTry '{} --help'.", text, name);
+    return {text, fmt::format("Try '{} --help'.", name)};
 }
 
 /// Parses the command line and does what it says.
@@ -85,9 +90,13 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {  // --help, --version
-        return program.exit(success);
+        std::ostringstream text;
+        program.exit(success, text, text);
+        session.put(text.str());
+        return session.status;
     } catch (const CLI::ParseError& error) {
-        Terminal().error(describe(program, error));
+        const Complaint complaint = describe(program, error);
+        Terminal().error(complaint.text, complaint.advice);
         return exit_status(ErrorKind::call);
     }
     return session.status;

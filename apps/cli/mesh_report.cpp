@@ -89,7 +89,11 @@ void add_measures(Lines& lines, const MeshReport& report, const std::optional<Sk
     lines.add("quality of quads",
               fmt::format("{:.3f} in the mean, {:.3f} at least", m.quad_quality.mean, m.quad_quality.min));
     lines.add("area, volume", fmt::format("{:.6g}, {:.6g}", m.area, m.volume));
-    if (report.intersections) lines.add("self-intersections", intersections_text(*report.intersections));
+    if (report.intersections) {
+        const std::string given_up =
+            report.all_intersections ? "" : "; too many faces lie over each other to find all";
+        lines.add("self-intersections", intersections_text(*report.intersections) + given_up);
+    }
     if (const auto& d = report.deviation)
         lines.add("|d|/r from the cones",
                   fmt::format("{:.4f} in the mean, 95 % within {:.4f}, {:.4f} at vertex {}", d->mean_abs,
@@ -147,6 +151,7 @@ Json mesh_json(const MeshReport& report, const std::optional<SkeletonFacts>& ske
     json.update(measures_json(report.measures));
     if (report.intersections) {
         json["self_intersections"] = report.intersections->size();
+        if (!report.all_intersections) json["self_intersections_complete"] = false;
         const std::size_t listed = std::min(report.intersections->size(), most_pairs);
         json["intersecting_pairs"] = std::span(*report.intersections).first(listed);
     }

@@ -48,7 +48,11 @@ Result<void> Session::warn(const std::string& file, const Warnings& warnings) {
 }
 
 void Session::put(const std::string& text) {
-    if (const auto written = write_file("-", text); !written) error(written.error());
+    if (const auto written = write_file("-", printable(text, true)); !written) error(written.error());
+}
+
+void Session::put_json(const Json& value) {
+    if (const auto written = write_file("-", line_of(value) + "\n"); !written) error(written.error());
 }
 
 Progress Session::progress(double begin, double end) {
@@ -98,14 +102,14 @@ void Session::print(const Job& job, const Outcome& outcome) {
         if (!job.output.empty()) line["output"] = job.output;
         line.update(outcome.json);
         line["warnings"] = warnings_;
-        put(line_of(line) + "\n");
+        put_json(line);
     } else if (job.output != "-" && !(quiet && !job.output.empty())) {
         put(outcome.text);
     }
 }
 
 void Session::print(const Job& job, const Error& error) {
-    put(line_of(Json{{"input", job.input}, {"error", to_json(error)}}) + "\n");
+    put_json({{"input", job.input}, {"error", to_json(error)}});
 }
 
 }  // namespace sinew::cli

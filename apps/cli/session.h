@@ -35,8 +35,10 @@ class Session {
     /// Tells of warnings about a file. With --strict the first becomes an error.
     Result<void> warn(const std::string& file, const Warnings& warnings);
 
-    /// Writes results to standard output. A failure (a full disk) is the status.
+    /// Writes results to standard output, text for people as printable() has it. A failure (a full disk) is the
+    /// status.
     void put(const std::string& text);
+    void put_json(const Json& value);
 
     /// Progress of a part of the current job: its 0 to 1 is `begin` to `end` of the bar. Stops on Ctrl-C.
     Progress progress(double begin = 0, double end = 1);

@@ -1,5 +1,6 @@
 #include "sinew/grow/count.h"
 
+#include <atomic>
 #include <cmath>
 
 #include "grow/grow_testing.h"
@@ -76,6 +77,17 @@ TEST(Count, GoesOnBeyondTheLimitWhereOnlyGrowingTells) {
     EXPECT_EQ(error_of(context + "50\n", {.limit = 2000}),
               "test.lsys: the skeleton would have more than 8000 nodes after 13 of 50 steps, and the limit "
               "is 2000 nodes; take fewer steps or raise the limit");
+}
+
+TEST(Count, GivesUpWithinALevel) {
+    // Two steps of a thousand kinds each come to as many as may be told apart, a third to a thousand times that.
+    std::string text = "%axiom A(1)\n%steps 3\nA(x) : x < 1e18 -> ";
+    for (int i = 0; i < 1500; ++i) text += "A(x*1500+" + std::to_string(i) + ")";
+    const Grammar grammar = parsed(text + "\n");
+    auto program = compile(grammar);
+    EXPECT_FALSE(count_nodes(grammar, *program));
+    const std::atomic<bool> cancel = true;
+    EXPECT_FALSE(count_nodes(grammar, *program, Progress({}, &cancel)));
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 namespace sinew {
 namespace {
 
+using sinew::testing::error_of;
 using sinew::testing::grown;
 using sinew::testing::lengths;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 const std::string shown = "\n%finally\nA -> F(1)\nB -> F(2)\nC -> F(3)\nS -> F(9)\n";
 
@@ -73,6 +75,29 @@ TEST(DeriveInContext, GivesTheSameAsWithoutContexts) {
     ASSERT_GT(free.nodes.size(), 15u);
     for (std::size_t i = 0; i < free.nodes.size(); ++i)
         EXPECT_EQ(free.nodes[i].position, in_context.nodes[i].position);
+}
+
+TEST(DeriveInContext, EndsWhereAStepChangesNothing) {
+    EXPECT_THAT(lengths(grown("%axiom A F(2)\n%steps 1000000000\nA < A -> A\n")), ElementsAre(2));
+    EXPECT_THAT(lengths(grown("%axiom BAAF\n%steps 1000000000\nB < A -> B\n%finally\nB -> F(2)\n")),
+                ElementsAre(2, 2, 2, 1))
+        << "a signal that has come to the end";
+}
+
+TEST(DeriveInContext, TakesNoMoreStepsThanTheLimit) {
+    const std::string flips = "%axiom ABF\nA < B -> C\nA < C -> B\n%steps ";
+    EXPECT_EQ(error_of(flips + "1000", {.limit = 1000}), "");
+    EXPECT_THAT(error_of(flips + "1002", {.limit = 1000}),
+                HasSubstr("1002 steps with contexts are more than"));
+}
+
+TEST(DeriveInContext, LooksAtNoMoreThanTheLimitAllows) {
+    // Which of thirty branches the fifteen of the pattern are is tried in every way, since no B follows.
+    std::string branches, pattern;
+    for (int i = 0; i < 30; ++i) branches += "[A]";
+    for (int i = 0; i < 15; ++i) pattern += "[A]";
+    const std::string text = "%axiom S" + branches + "F\nS > " + pattern + "B -> F\n";
+    EXPECT_THAT(error_of(text, {.limit = 1000}), HasSubstr("contexts that look at more than 256000 modules"));
 }
 
 }  // namespace

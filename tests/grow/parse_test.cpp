@@ -87,5 +87,12 @@ TEST(Parse, ReadsUnitAndSymmetry) {
 
 TEST(Parse, AcceptsAnyLineEndsAndABom) { EXPECT_EQ(parsed("\xEF\xBB\xBF%axiom F\r\n%steps 4\r\n").steps, 4); }
 
+TEST(Parse, TheLongestDeclaredNameWins) {
+    const Grammar grammar = parsed("%modules ab, abcd, bb\n%axiom abcdabcab F\n");
+    std::vector<std::string> symbols;
+    for (const auto& module : grammar.axiom) symbols.push_back(module.symbol.text);
+    EXPECT_EQ(symbols, (std::vector<std::string>{"abcd", "ab", "c", "ab", "F"}));
+}
+
 }  // namespace
 }  // namespace sinew

@@ -2,8 +2,11 @@
 // it.
 #include "sinew/io/files.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -58,7 +61,7 @@ TEST(Files, AFileLimitLeavesTheOldFileWhole) {
     Result<void> written = write_file(path, std::string(100000, 'x'));
     setrlimit(RLIMIT_FSIZE, &before);
     ASSERT_FALSE(written);
-    EXPECT_EQ(written.error().kind, ErrorKind::program);
+    EXPECT_EQ(written.error().kind, ErrorKind::call) << "who calls makes room";
     EXPECT_THAT(written.error().text(), HasSubstr("the old file is as it was"));
     EXPECT_EQ(read_file(path).value(), "old");
     EXPECT_THAT(entries(folder.path()), testing::ElementsAre("old.obj"));
@@ -117,6 +120,96 @@ TEST(Files, LinksAndPermissionsStay) {
     EXPECT_EQ(read_file(path).value(), "new");
     EXPECT_EQ(std::filesystem::status(path).permissions(), std::filesystem::perms(0640));
     EXPECT_EQ(read_file(folder / "fresh.txt").value(), "made");
+}
+
+TEST(Files, WhatIsOpenAlreadyIsWrittenWhereItStands) {
+    TemporaryFolder folder;
+    const std::string path = folder / "log";
+    ASSERT_TRUE(write_file(path, "before\n"));
+    const int log = open(path.c_str(), O_WRONLY | O_APPEND);
+    for (const char* name : {"/dev/fd/{}", "/proc/self/fd/{}"})
+        EXPECT_TRUE(write_file(fmt::format(fmt::runtime(name), log), "added\n")) << name;
+    close(log);
+    EXPECT_EQ(read_file(path).value(), "before\nadded\nadded\n");
+    EXPECT_FALSE(write_file(fmt::format("/dev/fd/{}", log), "x")) << "it is closed now";
+}
+
+TEST(Files, AHardLinkStaysOne) {
+    TemporaryFolder folder;
+    ASSERT_TRUE(write_file(folder / "one", "old and long"));
+    std::filesystem::create_hard_link(folder / "one", folder / "two");
+    for (const std::string text : {"new", "newer and longer than before"}) {
+        ASSERT_TRUE(write_file(folder / "one", text));
+        EXPECT_EQ(read_file(folder / "two").value(), text);
+    }
+    EXPECT_THAT(entries(folder.path()), testing::UnorderedElementsAre("one", "two"));
+}
+
+TEST(Files, ACircleOfLinksIsAnError) {
+    TemporaryFolder folder;
+    std::filesystem::create_symlink("b", folder / "a");
+    std::filesystem::create_symlink("a", folder / "b");
+    const auto written = write_file(folder / "a", "x");
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().kind, ErrorKind::call);
+    EXPECT_THAT(written.error().text(), HasSubstr("circle"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "a"));
+}
+
+TEST(Files, WhatAKilledProgramLeftIsCleanedUp) {
+    TemporaryFolder folder;
+    std::ofstream(folder / ".a.obj.part") << "half";
+    ASSERT_TRUE(write_file(folder / "a.obj", "whole"));
+    EXPECT_EQ(read_file(folder / "a.obj").value(), "whole");
+    EXPECT_THAT(entries(folder.path()), testing::ElementsAre("a.obj"));
+}
+
+TEST(Files, WhatAnotherIsWritingIsLeftAlone) {
+    TemporaryFolder folder;
+    std::ofstream(folder / ".a.obj.part") << "half";
+    const int other = open((folder / ".a.obj.part").c_str(), O_RDONLY);
+    ASSERT_EQ(flock(other, LOCK_EX), 0);
+    ASSERT_TRUE(write_file(folder / "a.obj", "whole"));
+    EXPECT_THAT(entries(folder.path()), testing::UnorderedElementsAre("a.obj", ".a.obj.part"));
+    close(other);
+}
+
+TEST(Files, TheRightToRunAsSomebodyElseIsNotKept) {
+    TemporaryFolder folder;
+    for (const bool linked : {false, true}) {
+        const std::string path = folder / (linked ? "linked" : "alone");
+        ASSERT_TRUE(write_file(path, "old"));
+        if (linked) std::filesystem::create_hard_link(path, folder / "other name");
+        ASSERT_EQ(chmod(path.c_str(), 06755), 0);
+        ASSERT_TRUE(write_file(path, "new"));
+        EXPECT_EQ(std::filesystem::status(path).permissions(), std::filesystem::perms(0755));
+    }
+}
+
+TEST(Files, ANameThatIsTooLongIsTheCallsFault) {
+    TemporaryFolder folder;
+    const auto written = write_file(folder / std::string(300, 'a'), "x");
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().kind, ErrorKind::call);
+    EXPECT_THAT(written.error().text(), HasSubstr("take a shorter name"));
+}
+
+TEST(Files, DevicesAreNoInput) {
+    EXPECT_THAT(read_file("/dev/zero").error().text(), HasSubstr("/dev/zero: is a device, not a file"));
+    EXPECT_EQ(read_file("/dev/null").value(), "");
+}
+
+TEST(Files, AnInputHasACap) {
+    TemporaryFolder folder;
+    ASSERT_TRUE(write_file(folder / "large", ""));
+    std::filesystem::resize_file(folder / "large", largest_input + 1);  // of holes
+    EXPECT_THAT(read_file(folder / "large").error().text(), HasSubstr("has more than 2147483648 bytes"));
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    ASSERT_EQ(write(ends[1], "12345", 5), 5);
+    close(ends[1]);
+    EXPECT_FALSE(read_descriptor(ends[0], 4)) << "a pipe does not say how much is in it";
+    close(ends[0]);
 }
 
 TEST(Files, WhatCannotBeReadIsNamed) {

@@ -16,6 +16,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Positions and faces are the same; a face may start with another corner.
 void expect_same_faces(const QuadMesh& read, const QuadMesh& written) {
@@ -173,12 +174,68 @@ TEST(GltfReader, BuffersAreTakenFromBesideTheFileOnly) {
     gltf.text["buffers"][0]["uri"] = "cube%20data.bin";
     EXPECT_EQ(error_text(parse_gltf_mesh(gltf.text.dump(), folder / "a.gltf")), "");
     std::filesystem::create_directory(folder.path() / "below");
-    for (const std::string uri : {"missing.bin", "../cube data.bin"}) {
+    std::filesystem::create_symlink(folder / "cube data.bin", folder / "below/link.bin");
+    for (const std::string uri :
+         {std::string("missing.bin"), std::string("../cube data.bin"), std::string("%2e%2e/cube%20data.bin"),
+          folder / "cube data.bin", std::string("link.bin")}) {
         gltf.text["buffers"][0]["uri"] = uri;
         EXPECT_THAT(error_text(parse_gltf_mesh(gltf.text.dump(), folder / "below/a.gltf")),
-                    HasSubstr("no sound glTF"))
+                    HasSubstr("/buffers/0/uri: names the file '"))
             << uri;
     }
+    gltf.text["buffers"][0]["uri"] = "cube%20data.bin";
+    EXPECT_THAT(error_text(parse_gltf_mesh(gltf.text.dump(), "standard input")),
+                HasSubstr("what comes from standard input may name none"));
+}
+
+TEST(GltfReader, AShortBufferFileIsRefusedWithoutItsSize) {
+    Gltf gltf(shapes::cube());
+    const TemporaryFolder folder;
+    ASSERT_TRUE(write_file(folder / "a.bin", gltf.data + "and more, which does no harm"));
+    gltf.text["buffers"][0]["uri"] = "a.bin";
+    EXPECT_EQ(error_text(parse_gltf_mesh(gltf.text.dump(), folder / "a.gltf")), "");
+    ASSERT_TRUE(write_file(folder / "a.bin", gltf.data.substr(1)));
+    const std::string text = error_text(parse_gltf_mesh(gltf.text.dump(), folder / "a.gltf"));
+    EXPECT_THAT(text, HasSubstr("ends too early"));
+    EXPECT_THAT(text, Not(HasSubstr(std::to_string(gltf.data.size() - 1))));
+}
+
+TEST(GltfReader, ImagesAreNotOpened) {
+    Gltf gltf(shapes::cube());
+    const TemporaryFolder folder;
+    gltf.text["images"] = {{{"uri", "none.png"}}, {{"uri", "/etc/passwd"}}, {{"uri", "../up.png"}}};
+    EXPECT_EQ(
+        error_text(parse_gltf_mesh(gltf.text.dump(), folder / "a.glb")),
+        folder / "a.glb: /buffers/0: the glTF file is broken: the buffer has no uri; export the file again");
+    EXPECT_EQ(error_text(parse_gltf_mesh(gltf.bytes(), folder / "a.glb")), "");
+}
+
+TEST(GltfReader, DeepExtrasAreRefusedBeforeAnythingWalksThem) {
+    Gltf gltf(shapes::cube());
+    std::string text = gltf.text.dump();
+    const int deep = 100'000;
+    text.insert(1, "\"extras\": " + std::string(deep, '[') + std::string(deep, ']') + ", ");
+    EXPECT_THAT(
+        error_text(parse_gltf_mesh(text, "a.gltf")),
+        HasSubstr("the glTF file is broken: arrays and objects stand in one another more than 100 deep"));
+}
+
+TEST(GltfReader, InstancesMakeNoMoreThanAMultipleOfTheFile) {
+    Gltf gltf(shapes::cube());
+    const auto instances = [&](int count) {
+        gltf.text["nodes"] = json::array();
+        gltf.text["scenes"][0]["nodes"] = json::array();
+        for (int i = 0; i < count; ++i) {
+            gltf.text["nodes"].push_back({{"mesh", 0}});
+            gltf.text["scenes"][0]["nodes"].push_back(i);
+        }
+        return parse_gltf_mesh(gltf.bytes(), "a.glb");
+    };
+    EXPECT_EQ(instances(1000)->vertex_count(), 8000u);
+    // A hundred primitives that share their data, shown a thousand times each.
+    json& primitives = gltf.text["meshes"][0]["primitives"];
+    for (int i = 0; i < 99; ++i) primitives.push_back(json(primitives[0]));
+    EXPECT_THAT(error_text(instances(1000)), HasSubstr("too many for"));
 }
 
 TEST(GltfReader, BrokenReferencesAreRefusedWithTheirPlace) {
@@ -190,7 +247,7 @@ TEST(GltfReader, BrokenReferencesAreRefusedWithTheirPlace) {
     EXPECT_THAT(refused([](Gltf& g) { g.primitive()["attributes"]["POSITION"] = 7; }),
                 HasSubstr("bad.glb: /accessors/7"));
     EXPECT_THAT(refused([](Gltf& g) { g.primitive()["indices"] = 0; }),
-                HasSubstr("/accessors/0: 3 numbers an item, not 1"));
+                HasSubstr("/accessors/0: the glTF file is broken: 3 numbers an item, not 1"));
     EXPECT_THAT(refused([](Gltf& g) { g.primitive()["attributes"].erase("POSITION"); }),
                 HasSubstr("it has no positions"));
     EXPECT_THAT(refused([](Gltf& g) { g.text["accessors"][0]["count"] = 9; }),
@@ -204,7 +261,7 @@ TEST(GltfReader, BrokenReferencesAreRefusedWithTheirPlace) {
     EXPECT_THAT(refused([](Gltf& g) { g.text["accessors"][0].erase("bufferView"); }),
                 HasSubstr("without data of its own"));
     EXPECT_THAT(refused([](Gltf& g) { g.text["nodes"][0]["mesh"] = 4; }),
-                HasSubstr("/meshes/4: there is no such mesh"));
+                HasSubstr("/meshes/4: the glTF file is broken: there is no such mesh"));
     EXPECT_THAT(refused([](Gltf& g) { g.text["nodes"][0]["children"] = {0}; }),
                 HasSubstr("its own ancestor"));
     EXPECT_THAT(refused([](Gltf& g) { g.text["scenes"][0]["nodes"] = {5}; }),
@@ -226,7 +283,7 @@ TEST(GltfReader, BrokenReferencesAreRefusedWithTheirPlace) {
     EXPECT_THAT(error_text(parse_gltf_mesh("{\"asset\": {\"version\": \"2.0\"}}", "bad.gltf")),
                 HasSubstr("no triangles"));
     EXPECT_THAT(error_text(parse_gltf_mesh("solid", "bad.gltf")),
-                HasSubstr("bad.gltf: this is no sound glTF file"));
+                HasSubstr("bad.gltf:1:1: the glTF file is broken: this is not JSON"));
 }
 
 TEST(GltfReader, OnlyTheWholeOfAFileIsRead) {

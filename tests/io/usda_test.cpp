@@ -209,6 +209,30 @@ TEST(Usda, MalformedFilesAreRefusedWithTheirPlace) {
         EXPECT_THAT(error_text(parse_usda(text, "bad.usda")), HasSubstr(message)) << text;
 }
 
+TEST(Usda, PrimsStandInOneAnother) {
+    // Meshes at every depth, moved once more by each prim round them; the places follow the prims in them. One is
+    // put back into the world.
+    const int deep = 150;
+    const std::string triangle =
+        "def Mesh \"m\" {\npoint3f[] points = [(0,0,0),(1,0,0),(0,1,0)]\nint[] faceVertexCounts = [3]\n"
+        "int[] faceVertexIndices = [0,1,2]\n";
+    std::string text = "#usda 1.0\n(upAxis = \"Z\")\n";
+    for (int i = 0; i < deep; ++i) text += "def Xform \"x\" {\n" + triangle + "}\n";
+    text += triangle +
+            "double3 xformOp:translate = (0,0,7)\n"
+            "uniform token[] xformOpOrder = [\"!resetXformStack!\", \"xformOp:translate\"]\n}\n";
+    for (int i = 0; i < deep; ++i)
+        text +=
+            "double3 xformOp:translate = (2,0,0)\nuniform token[] xformOpOrder = "
+            "[\"xformOp:translate\"]\n}\n";
+    const QuadMesh mesh = parse_usda(text, "deep.usda").value();
+    ASSERT_EQ(mesh.vertex_count(), 3u * (deep + 1));
+    for (int i = 0; i < deep; ++i)
+        EXPECT_EQ(mesh.positions[3 * static_cast<std::size_t>(i)],
+                  Vec3f(2.0f * static_cast<float>(i + 1), 0, 0));
+    EXPECT_EQ(mesh.positions[3 * std::size_t{deep}], Vec3f(0, 0, 7));
+}
+
 TEST(Usda, DeepNestingIsRefusedNotFollowed) {
     std::string text = "#usda 1.0\n";
     for (int i = 0; i < 100000; ++i) text += "def \"a\" {\n";

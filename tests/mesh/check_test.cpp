@@ -33,6 +33,13 @@ TEST(Check, EachFaultShows) {
     EXPECT_TRUE(quick.clean());
 }
 
+TEST(Check, WhatWasNotLookedAtToTheEndIsNotClean) {
+    MeshReport report = *check(shapes::cube());
+    EXPECT_TRUE(report.clean());
+    report.all_intersections = false;
+    EXPECT_FALSE(report.clean());
+}
+
 TEST(Check, AMeshThatIsNotWellFormedIsLookedAtNoFurther) {
     QuadMesh mesh = shapes::cube();
     mesh.corners[3] = 77;

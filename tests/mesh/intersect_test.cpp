@@ -109,6 +109,33 @@ TEST(Intersect, FacesOfNoAreaAndBrokenVerticesAreLeftOut) {
     EXPECT_THAT(pairs_of(QuadMesh{}), IsEmpty());
 }
 
+/// The same triangle many times over, in an order in which all meet all.
+QuadMesh pile(int count) {
+    QuadMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    for (int i = 0; i < count; ++i) mesh.add_face(std::array{0u, 1u, 2u});
+    return mesh;
+}
+
+TEST(Intersect, BoundsAreNoneForWhatIsNoPile) {
+    const QuadMesh mesh =
+        shapes::together(shapes::tube(40, 60), shapes::moved(shapes::torus(40, 60), {1, 2, 0.5f}));
+    const SelfIntersections found = find_self_intersections_within_bounds(mesh).value();
+    EXPECT_TRUE(found.complete);
+    EXPECT_EQ(found.pairs, pairs_of(mesh));
+    EXPECT_EQ(find_self_intersections_within_bounds(pile(1000))->pairs.size(), 1000u * 999 / 2);
+}
+
+TEST(Intersect, APileIsGivenUpInTime) {
+    const int count = 5000;
+    const SelfIntersections found = find_self_intersections_within_bounds(pile(count)).value();
+    EXPECT_FALSE(found.complete);
+    EXPECT_FALSE(found.pairs.empty());
+    EXPECT_LE(found.pairs.size(), most_pairs_tested + most_pairs_tested_a_face * count);
+    EXPECT_EQ(find_self_intersections_within_bounds(pile(count))->pairs, found.pairs)
+        << "whichever thread comes first";
+}
+
 TEST(Intersect, StopsOnRequest) {
     const std::atomic<bool> cancel = true;
     const auto pairs = find_self_intersections(shapes::cube(), Progress({}, &cancel));

@@ -14,8 +14,8 @@ namespace sinew {
 /// Whose fault it is; the command line turns this into its exit status (1, 2, 3, and 3 again).
 enum class ErrorKind : std::uint8_t {
     input,      ///< a file or document is bad: status 1
-    call,       ///< the call is wrong (an option, a missing file name): status 2
-    program,    ///< the program or the machine is at fault (a full disk, no EGL): status 3
+    call,       ///< the call is wrong (an option, a file name, a place that is full): status 2
+    program,    ///< the program or the machine is at fault (no memory, no EGL): status 3
     cancelled,  ///< the caller asked to stop through Progress
 };
 

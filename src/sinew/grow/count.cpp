@@ -11,8 +11,6 @@
 namespace sinew::lsystem {
 namespace {
 
-constexpr std::size_t most_kinds = 1 << 20;
-
 std::uint64_t sum(std::uint64_t a, std::uint64_t b) { return a > countless - b ? countless : a + b; }
 
 /// What a module comes to. The pen's place has a node or not when the module begins; both are counted.
@@ -140,8 +138,11 @@ struct Kind {
 
 class Counter {
   public:
-    Counter(const Grammar& grammar, Program& program)
-        : program_(program), rewriter_(grammar, program), decides_(deciding_parameters(grammar, program)) {}
+    Counter(const Grammar& grammar, Program& program, const Progress& progress)
+        : program_(program),
+          rewriter_(grammar, program),
+          progress_(progress),
+          decides_(deciding_parameters(grammar, program)) {}
 
     std::optional<Count> run();
 
@@ -153,12 +154,18 @@ class Counter {
     std::vector<std::pair<SymbolId, std::size_t>> kinds_of(const std::vector<SymbolId>& symbols,
                                                            std::span<const double> arguments, Level& level);
     void derive(const Level& from, int steps_left, Level& next, Level& last);
+    /// Within a level, which may be as long as all that is allowed.
+    bool gives_up() const {
+        return kinds_.size() > most_kinds || successors_ > most_successors || progress_.cancelled();
+    }
     Future future(const std::vector<std::pair<SymbolId, std::size_t>>& modules) const;
 
     Program& program_;
     Rewriter rewriter_;
+    const Progress& progress_;
     std::vector<std::vector<char>> decides_;
-    std::vector<Kind> kinds_;  ///< those of later steps come later
+    std::size_t successors_ = 0;  ///< modules in the kinds' successors, all together
+    std::vector<Kind> kinds_;     ///< those of later steps come later
     std::vector<Future> futures_;
     bool lost_ = false;  ///< something is not finite: growing will say where
 };
@@ -191,6 +198,7 @@ std::vector<std::pair<SymbolId, std::size_t>> Counter::kinds_of(const std::vecto
 /// `last`.
 void Counter::derive(const Level& from, int steps_left, Level& next, Level& last) {
     for (const auto& [key, index] : from) {
+        if (gives_up()) return;
         Symbol& symbol = program_.symbols[key.first];
         std::size_t deciding = 0;
         for (std::int32_t i = 0; i < symbol.arity; ++i)
@@ -202,6 +210,7 @@ void Counter::derive(const Level& from, int steps_left, Level& next, Level& last
         const Rule& chosen = program_.rules[rule];
         const auto arguments = chosen.arguments ? chosen.arguments.values() : std::span<const double>();
         auto successor = kinds_of(chosen.successor, arguments, level);
+        successors_ += successor.size();
         kinds_[index].successor = std::move(successor);
         kinds_[index].replaced = true;
     }
@@ -223,7 +232,7 @@ std::optional<Count> Counter::run() {
     for (int steps_left = program_.steps; !now.empty(); --steps_left) {
         // Kinds that are not replaced by a rule now never will be: only the last productions wait for them.
         derive(now, steps_left, next, last);
-        if (lost_ || rewriter_.error() || kinds_.size() > most_kinds) return {};
+        if (lost_ || rewriter_.error() || gives_up()) return {};
         now = std::exchange(next, {});
     }
     futures_.resize(kinds_.size());
@@ -235,9 +244,9 @@ std::optional<Count> Counter::run() {
 
 }  // namespace
 
-std::optional<Count> count_nodes(const Grammar& grammar, Program& program) {
+std::optional<Count> count_nodes(const Grammar& grammar, Program& program, const Progress& progress) {
     if (program.chance || program.context) return {};
-    return Counter(grammar, program).run();
+    return Counter(grammar, program, progress).run();
 }
 
 }  // namespace sinew::lsystem

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "sinew/base/progress.h"
 #include "sinew/base/result.h"
@@ -28,6 +29,9 @@ inline constexpr std::int64_t work_per_node = 64;
 
 /// Counting goes on to so many times the limit, to say how far the skeleton would have gone.
 inline constexpr std::int64_t count_factor = 4;
+
+/// "1 node", "2 nodes".
+std::string nodes_text(std::int64_t count);
 
 /// The errors of the guard.
 /// @param count  such as "12 nodes"

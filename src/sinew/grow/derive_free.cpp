@@ -147,7 +147,7 @@ Result<void> FreeDerivation::guard() {
     next_check_ = work_ + 8192;
     if (turtle_.node_count() > limit_) {
         if (turtle_.node_count() > count_factor * limit_)
-            return too_many_nodes(grammar_, fmt::format("more than {} nodes", count_factor * limit_), limit_);
+            return too_many_nodes(grammar_, "more than " + nodes_text(count_factor * limit_), limit_);
     } else if (work_ / work_per_node > limit_) {
         return too_much_work(grammar_, fmt::format("more than {} modules", work_), limit_);
     }
@@ -168,16 +168,18 @@ Result<void> derive_free(const Grammar& grammar, Program& program, std::int64_t 
     return FreeDerivation(grammar, program, limit, expected, turtle, progress).run();
 }
 
+std::string nodes_text(std::int64_t count) { return fmt::format("{} node{}", count, count == 1 ? "" : "s"); }
+
 tl::unexpected<Error> too_many_nodes(const Grammar& grammar, std::string count, std::int64_t limit) {
-    return fail(
-        Error{.message = fmt::format("the skeleton would have {}, and the limit is {} nodes", count, limit),
-              .cure = "take fewer steps or raise the limit",
-              .file = grammar.source.name()});
+    return fail(Error{
+        .message = fmt::format("the skeleton would have {}, and the limit is {}", count, nodes_text(limit)),
+        .cure = "take fewer steps or raise the limit",
+        .file = grammar.source.name()});
 }
 
 tl::unexpected<Error> too_much_work(const Grammar& grammar, std::string count, std::int64_t limit) {
-    return fail(Error{.message = fmt::format("growing would take {}, and a limit of {} nodes allows {}",
-                                             count, limit, limit * work_per_node),
+    return fail(Error{.message = fmt::format("growing would take {}, and a limit of {} allows {}", count,
+                                             nodes_text(limit), limit * work_per_node),
                       .cure = "take fewer steps or raise the limit",
                       .file = grammar.source.name()});
 }

@@ -10,6 +10,9 @@ namespace {
 /// The whole string is in memory, twice.
 constexpr std::int64_t modules_per_node = 16;
 
+/// Places that contexts may look at for each node of the limit, over all steps.
+constexpr std::int64_t looks_per_node = 4 * work_per_node;
+
 class ContextDerivation {
   public:
     ContextDerivation(const Grammar& grammar, Program& program, std::int64_t limit, Turtle& turtle,
@@ -20,13 +23,16 @@ class ContextDerivation {
           limit_(limit),
           turtle_(turtle),
           progress_(progress),
-          neighbours_(program, now_) {}
+          neighbours_(program, now_) {
+        neighbours_.look_at_most(looks_per_node * limit);
+    }
 
     Result<void> run();
 
   private:
     void start();
     Result<void> step(int number, bool finally);
+    bool stands_still() const;
     void append(SymbolId symbol, const double* arguments, std::uint64_t key);
     void replace(std::int32_t rule, std::uint64_t key);
     std::size_t end_of_branch(std::size_t module) const;
@@ -90,7 +96,7 @@ Result<void> ContextDerivation::step(int number, bool finally) {
         const double* arguments = now_.arguments.data() + now_.first_argument[i];
         const auto& rules = finally ? symbol.finally : symbol.rules;
         const std::uint64_t key = program_.chance ? now_.keys[i] : 0;
-        if (++work_ % 4096 == 0)
+        if (++work_ % 4096 == 0 || neighbours_.looked_at() > looks_per_node * limit_)
             if (auto fine = guard(number); !fine) return fine;
         if (symbol.command == Command::cut) {
             i = end_of_branch(i) - 1;
@@ -114,14 +120,23 @@ Result<void> ContextDerivation::step(int number, bool finally) {
     return guard(number);
 }
 
+/// Did the last step change nothing? Then no later one will, unless chance has a say.
+bool ContextDerivation::stands_still() const {
+    return !program_.chance && now_.symbols == next_.symbols && now_.arguments == next_.arguments;
+}
+
 Result<void> ContextDerivation::guard(int number) const {
     const auto length = static_cast<std::int64_t>(next_.size());
     const std::string when = fmt::format("after {} of {} steps", number + 1, program_.steps);
     if (drawn_ > count_factor * limit_)
-        return too_many_nodes(grammar_, fmt::format("more than {} nodes {}", count_factor * limit_, when),
-                              limit_);
+        return too_many_nodes(
+            grammar_, fmt::format("more than {} {}", nodes_text(count_factor * limit_), when), limit_);
     if (length / modules_per_node > limit_ || work_ / work_per_node > limit_)
         return too_much_work(grammar_, fmt::format("more than {} modules {}", work_ + length, when), limit_);
+    if (neighbours_.looked_at() > looks_per_node * limit_)
+        return too_much_work(
+            grammar_, fmt::format("contexts that look at more than {} modules", looks_per_node * limit_),
+            limit_);
     if (progress_.cancelled()) return Progress::stopped();
     progress_(static_cast<double>(number) / (program_.steps + 1), "grow");
     return {};
@@ -146,8 +161,15 @@ Result<void> ContextDerivation::draw() {
 
 Result<void> ContextDerivation::run() {
     start();
-    for (int number = 0; number < program_.steps; ++number)
+    for (int number = 0; number < program_.steps; ++number) {
+        if (number > limit_)
+            return fail(Error{.message = fmt::format("{} steps with contexts are more than the limit of {}",
+                                                     program_.steps, nodes_text(limit_)),
+                              .cure = "take fewer steps or raise the limit",
+                              .file = grammar_.source.name()});
         if (auto done = step(number, false); !done) return done;
+        if (stands_still()) break;
+    }
     if (auto done = step(program_.steps, true); !done) return done;
     return draw();
 }

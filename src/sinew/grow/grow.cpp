@@ -19,8 +19,9 @@ std::string shown(std::uint64_t count, const char* what) {
 }
 
 /// What can be known before anything grows.
-Result<std::int64_t> expected_nodes(const Grammar& grammar, lsystem::Program& program, std::int64_t limit) {
-    const auto count = lsystem::count_nodes(grammar, program);
+Result<std::int64_t> expected_nodes(const Grammar& grammar, lsystem::Program& program, std::int64_t limit,
+                                    const Progress& progress) {
+    const auto count = lsystem::count_nodes(grammar, program, progress);
     if (!count) return 0;
     const auto most = static_cast<std::uint64_t>(limit);
     if (count->nodes > most) return lsystem::too_many_nodes(grammar, shown(count->nodes, "nodes"), limit);
@@ -47,7 +48,7 @@ Result<Document> grow(const Grammar& grammar, const GrowOptions& options, const 
     const std::int64_t limit = std::clamp<std::int64_t>(options.limit, 0, INT32_MAX / 8);
     auto program = lsystem::compile(grammar, options);
     if (!program) return tl::unexpected(program.error());
-    const auto expected = expected_nodes(grammar, *program, limit);
+    const auto expected = expected_nodes(grammar, *program, limit, progress);
     if (!expected) return tl::unexpected(expected.error());
 
     lsystem::Turtle turtle(program->turtle, limit, *expected);
@@ -56,7 +57,7 @@ Result<Document> grow(const Grammar& grammar, const GrowOptions& options, const 
                              : lsystem::derive_free(grammar, *program, limit, *expected, turtle, progress);
     if (!derived) return tl::unexpected(derived.error());
     if (turtle.node_count() > limit)
-        return lsystem::too_many_nodes(grammar, fmt::format("{} nodes", turtle.node_count()), limit);
+        return lsystem::too_many_nodes(grammar, lsystem::nodes_text(turtle.node_count()), limit);
     if (turtle.node_count() == 0)
         return fail(Error{.message = fmt::format("nothing is drawn after {} step{}", program->steps,
                                                  program->steps == 1 ? "" : "s"),

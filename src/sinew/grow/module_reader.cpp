@@ -31,9 +31,13 @@ bool at_arrow(const Cursor& cursor) {
 }  // namespace
 
 void ModuleReader::declare(const std::string& name) {
-    long_names_.push_back(name);
-    std::sort(long_names_.begin(), long_names_.end(),
-              [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    std::size_t at = 0;
+    for (const char c : name) {
+        const auto [entry, added] = letters_[at].next.try_emplace(c, letters_.size());
+        at = entry->second;
+        if (added) letters_.emplace_back();
+    }
+    letters_[at].ends_name = true;
 }
 
 bool ModuleReader::patterns(Cursor& cursor, std::vector<Pattern>& list) const {
@@ -59,6 +63,9 @@ bool ModuleReader::parameters(Cursor& cursor, Pattern& pattern) {
         if (is_function(name.text))
             return cursor.wrong(name.offset, fmt::format("'{}' already has a meaning in formulas", name.text),
                                 "take another name");
+        if (pattern.parameters.size() == most_parameters)
+            return cursor.wrong(name.offset,
+                                fmt::format("more than {} parameters of one module", most_parameters));
         pattern.parameters.push_back(name.text);
     } while (cursor.accept(","));
     return cursor.accept(")") || cursor.expected("',' or ')' after a parameter");
@@ -110,8 +117,15 @@ std::size_t ModuleReader::symbol_length(std::string_view text) const {
     if (text[0] == '@')
         return static_cast<std::size_t>(std::find_if_not(text.begin() + 1, text.end(), is_letter) -
                                         text.begin());
-    for (const std::string& name : long_names_)
-        if (text.starts_with(name)) return name.size();
+    std::size_t longest = 0;
+    for (std::size_t at = 0, length = 0; length < text.size();) {
+        const auto next = letters_[at].next.find(text[length]);
+        if (next == letters_[at].next.end()) break;
+        at = next->second;
+        ++length;
+        if (letters_[at].ends_name) longest = length;
+    }
+    if (longest > 0) return longest;
     return is_letter(text[0]) || is_digit(text[0]) || find_turtle_symbol(text.substr(0, 1)) ? 1 : 0;
 }
 

@@ -41,6 +41,7 @@ bool StringNeighbourhood::matches_left(Rule& rule) const {
     std::int64_t at = static_cast<std::int64_t>(at_);
     for (std::size_t i = rule.left.size(); i-- > 0;) {
         at = left_[static_cast<std::size_t>(at)];
+        ++looked_at_;
         if (at == none || !take(rule, rule.left[i], static_cast<std::size_t>(at))) return false;
     }
     return true;
@@ -50,12 +51,14 @@ bool StringNeighbourhood::matches_left(Rule& rule) const {
 /// does not name is passed over; a branch of the pattern takes the first branch that fits.
 bool StringNeighbourhood::matches_right(Rule& rule, std::size_t pattern, std::size_t at) const {
     while (pattern < rule.right.size()) {
+        if (++looked_at_ > most_) return false;
         const Command wanted = program_.symbols[rule.right[pattern].symbol].command;
-        while (at < modules_.size() && symbol(at).ignored) ++at;
+        while (at < modules_.size() && symbol(at).ignored) ++at, ++looked_at_;
         const bool at_end = at == modules_.size() || symbol(at).command == Command::pop;
         if (wanted == Command::pop) {  // the rest of this branch does not matter
             int depth = 0;
-            for (; at < modules_.size() && !(symbol(at).command == Command::pop && depth == 0); ++at) {
+            for (; at < modules_.size() && !(symbol(at).command == Command::pop && depth == 0);
+                 ++at, ++looked_at_) {
                 if (symbol(at).command == Command::push) ++depth;
                 if (symbol(at).command == Command::pop) --depth;
             }

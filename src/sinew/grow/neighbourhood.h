@@ -29,6 +29,11 @@ class StringNeighbourhood : public Neighbourhood {
         : program_(program), modules_(modules) {}
 
     void prepare();
+    /// Places of the string that matching has looked at. Where a pattern has branches it may look at one again and
+    /// again; once there are more than `most` nothing matches any more.
+    std::int64_t looked_at() const { return looked_at_; }
+    void look_at_most(std::int64_t most) { most_ = most; }
+
     void stand_at(std::size_t module) { at_ = module; }
     bool matches(Rule& rule) override;
 
@@ -47,6 +52,8 @@ class StringNeighbourhood : public Neighbourhood {
     std::vector<std::int64_t> ways_;    ///< left neighbours at the brackets that are open
     std::vector<std::size_t> open_;
     std::size_t at_ = 0;
+    std::int64_t most_ = INT64_MAX;
+    mutable std::int64_t looked_at_ = 0;
 };
 
 }  // namespace sinew::lsystem

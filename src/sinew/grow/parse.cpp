@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <map>
 #include <utility>
 
 #include "sinew/grow/cursor.h"
@@ -48,6 +49,7 @@ class GrammarReader {
 
     Grammar grammar_;
     ModuleReader reader_;
+    std::map<std::string, std::size_t> constant_of_;  ///< index in Grammar::constants
     bool finally_ = false;
 };
 
@@ -149,6 +151,9 @@ bool GrammarReader::declare_modules(Cursor& cursor) {
     do {
         const Text name = cursor.name();
         if (name.text.size() < 2) return cursor.expected("a name of two or more letters");
+        if (name.text.size() > ModuleReader::longest_name)
+            return cursor.wrong(
+                name.offset, fmt::format("this name is longer than {} letters", ModuleReader::longest_name));
         reader_.declare(name.text);
         cursor.accept(",");
     } while (!cursor.at_end());
@@ -182,10 +187,12 @@ bool GrammarReader::is_constant(const Cursor& cursor) const {
 bool GrammarReader::constant(Cursor& cursor) {
     GrowConstant result;
     const Text name = cursor.name();
-    for (const GrowConstant& other : grammar_.constants)
-        if (other.name == name.text)
-            return cursor.wrong(name.offset, fmt::format("'{}' already has a value, in line {}", name.text,
-                                                         grammar_.source.line_of(other.formula.offset) + 1));
+    const auto [earlier, is_new] = constant_of_.emplace(name.text, grammar_.constants.size());
+    if (!is_new)
+        return cursor.wrong(
+            name.offset,
+            fmt::format("'{}' already has a value, in line {}", name.text,
+                        grammar_.source.line_of(grammar_.constants[earlier->second].formula.offset) + 1));
     if (is_function(name.text) || name.text == "pi")
         return cursor.wrong(name.offset, fmt::format("'{}' already has a meaning in formulas", name.text),
                             "take another name");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace sinew::lsystem {
 namespace {
@@ -36,6 +37,7 @@ class Compiler {
     const GrowOptions& options_;
     Program program_;
     FormulaCompiler formulas_;
+    std::set<std::string> ignored_{grammar_.ignored.begin(), grammar_.ignored.end()};
     std::map<std::pair<std::string, std::int32_t>, SymbolId> symbols_;
 };
 
@@ -167,8 +169,7 @@ Result<SymbolId> Compiler::symbol(const Text& name, std::size_t arity) {
         result.command = turtle->command;
     }
     const bool bracket = result.command == Command::push || result.command == Command::pop;
-    result.ignored = !bracket && std::find(grammar_.ignored.begin(), grammar_.ignored.end(), name.text) !=
-                                     grammar_.ignored.end();
+    result.ignored = !bracket && ignored_.contains(name.text);
     result.parameters.resize(arity);
     program_.symbols.push_back(std::move(result));
     return entry->second;

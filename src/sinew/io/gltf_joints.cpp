@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <exception>
 
-#include "sinew/io/byte_order.h"
 #include "sinew/io/gltf_nodes.h"
-#include "sinew/io/json_text.h"
+#include "sinew/io/gltf_text.h"
 #include "sinew/io/measured.h"
 #include "sinew/skeleton/validate.h"
 
@@ -18,24 +17,6 @@ namespace {
 
 tl::unexpected<Error> fail_at(std::string pointer, std::string message, std::string cure) {
     return fail(Error{.message = std::move(message), .cure = std::move(cure), .path = std::move(pointer)});
-}
-
-/// The JSON text of a binary file: a header of 12 bytes, then chunks, the first of which is it.
-Result<std::string_view> json_of_glb(std::string_view bytes) {
-    auto word = [&](std::size_t at) {
-        return get_bytes<std::uint32_t>(bytes.data() + at, std::endian::little);
-    };
-    constexpr std::uint32_t json_chunk = 0x4E4F534A;
-    if (bytes.size() < 20)
-        return fail(ErrorKind::input, "the binary glTF file ends within its header", "get the whole file");
-    if (word(4) != 2)
-        return fail(ErrorKind::input, fmt::format("this is glTF of version {}", word(4)),
-                    "export it as glTF 2.0");
-    if (word(16) != json_chunk)
-        return fail(ErrorKind::input, "the first chunk is not the JSON", "export the file again");
-    if (word(12) > bytes.size() - 20)
-        return fail(ErrorKind::input, "the binary glTF file ends within its JSON", "get the whole file");
-    return bytes.substr(20, word(12));
 }
 
 struct GltfNodes {
@@ -87,19 +68,11 @@ Result<std::int32_t> node_number(const Json& value, std::size_t count, const std
     return static_cast<std::int32_t>(*number);
 }
 
-const Json& array_in(const Json& object, const char* key) {
-    static const Json none = Json::array();
-    const Json* value = object.is_object() ? find(object, key) : nullptr;
-    return value && value->is_array() ? *value : none;
-}
-
 Result<GltfNodes> read_nodes(const Json& root) {
     const Json& list = array_in(root, "nodes");
     GltfNodes nodes{.is_joint = std::vector<char>(list.size(), 0)};
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string pointer = fmt::format("/nodes/{}", i);
-        if (!list[i].is_object())
-            return fail_at(pointer, "a node must be an object", "export the file again");
         const Result<Eigen::Affine3d> transform = transform_of(list[i], pointer);
         if (!transform) return fail(transform.error());
         nodes.tree.to_parent.push_back(*transform);
@@ -187,10 +160,6 @@ Result<Document> joints(const GltfNodes& nodes) {
 }
 
 Result<Document> skeleton_in(const Json& root) {
-    const Json* asset = root.is_object() ? find(root, "asset") : nullptr;
-    const Json* version = asset && asset->is_object() ? find(*asset, "version") : nullptr;
-    if (!version || !version->is_string() || !version->get<std::string>().starts_with("2."))
-        return fail_at("/asset/version", "this is JSON, but no glTF of version 2", "export it as glTF 2.0");
     Result<GltfNodes> nodes = read_nodes(root);
     if (!nodes) return fail(std::move(nodes.error()));
     const bool has_skin = !array_in(root, "skins").empty();
@@ -202,17 +171,12 @@ Result<Document> skeleton_in(const Json& root) {
 }  // namespace
 
 Result<ReadSkeleton> parse_gltf(std::string_view bytes, const ReadOptions& options) try {
-    const bool binary = bytes.starts_with("glTF");
-    const Result<std::string_view> text = binary ? json_of_glb(bytes) : bytes;
-    if (!text) return fail(text.error());
-    Result<Json> json = parse_json(*text);
-    Result<Document> document = json ? skeleton_in(*json) : fail(std::move(json.error()));
-    if (!document) {
-        Error& error = document.error();
-        if (error.line == 0 && !error.path.empty()) error.line = line_of(*text, error.path);
-        if (binary) error.line = error.column = 0;  // nobody looks for lines there
-        return fail(std::move(error));
-    }
+    const Result<Json> json = parse_gltf_text(bytes);
+    if (!json) return fail(json.error());
+    Result<Document> document = skeleton_in(*json);
+    // A file without a skeleton is none that is broken, and the only one that is refused without a place.
+    if (!document && document.error().path.empty()) return fail(std::move(document.error()));
+    if (!document) return fail(broken_gltf(std::move(document.error()), bytes));
     ReadSkeleton read{.document = std::move(*document), .measured = true};
     const std::vector<double> radii = guess_radii(read.document);
     Remarks remarks;

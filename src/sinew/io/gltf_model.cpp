@@ -4,35 +4,31 @@
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
 
 #include "sinew/io/files.h"
 #include "sinew/io/gltf_nodes.h"
+#include "sinew/io/gltf_text.h"
+#include "sinew/io/named_files.h"
 
 namespace sinew {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// What the file system callbacks are told: the folder that buffers may come from.
-struct Folder {
-    std::string path;
+/// Buffers in files of their own, in their order, which is that in which tinygltf asks for them, before any image.
+/// They are all that it ever sees of the disk: what read_named_file() let in.
+struct BufferFiles {
+    std::vector<std::string> bytes;
+    std::size_t next = 0;
 };
 
-/// A buffer must be a plain file at or below the folder: a model has no business with the rest of the disk.
-bool is_buffer_file(const std::string& path, void* data) {
-    const std::string& folder = static_cast<const Folder*>(data)->path;
-    if (!path.starts_with(folder)) return false;
-    const fs::path inside = fs::path(path.substr(folder.size())).relative_path();
-    if (std::find(inside.begin(), inside.end(), "..") != inside.end()) return false;
-    std::error_code unknown;
-    return fs::is_regular_file(path, unknown);
+bool is_buffer_file(const std::string&, void* data) {
+    const auto& files = *static_cast<const BufferFiles*>(data);
+    return files.next < files.bytes.size();
 }
 
-bool read_buffer_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
-    const Result<std::string> bytes = read_file(path);
-    if (!bytes) return *error += bytes.error().text(), false;
-    out->assign(bytes->begin(), bytes->end());
+bool read_buffer_file(std::vector<unsigned char>* out, std::string*, const std::string&, void* data) {
+    auto& files = *static_cast<BufferFiles*>(data);
+    const std::string bytes = std::move(files.bytes.at(files.next++));
+    out->assign(bytes.begin(), bytes.end());
     return true;
 }
 
@@ -53,24 +49,63 @@ std::string first_line(const std::string& text) {
 }
 
 tl::unexpected<Error> wrong(const std::string& name, std::string message, std::string path = {}) {
-    return fail(Error{.message = std::move(message), .file = name, .path = std::move(path)});
+    return fail(broken_gltf(Error{.message = std::move(message), .file = name, .path = std::move(path)}));
+}
+
+Result<void> read_buffers(const Json& root, bool binary, const std::string& name, BufferFiles& files) {
+    const Json& buffers = array_in(root, "buffers");
+    std::uint64_t room = largest_input;
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const std::string pointer = fmt::format("/buffers/{}", i);
+        const std::int64_t length = integer_in(*find(buffers[i], "byteLength")).value_or(-1);
+        if (length < 0) return wrong(name, "this must be a count of bytes", pointer + "/byteLength");
+        const Json* uri = find(buffers[i], "uri");
+        // A buffer without one is the binary part of the file, which only the first may be: each is a copy.
+        if (!uri && binary && i == 0) continue;
+        if (!uri) return wrong(name, "the buffer has no uri", pointer);
+        if (!uri->is_string()) return wrong(name, "this must be text", pointer + "/uri");
+        const std::string& reference = uri->get_ref<const std::string&>();
+        if (reference.starts_with("data:")) continue;
+        Result<std::string> bytes = read_named_file(name, reference, room);
+        if (!bytes) {
+            bytes.error().path = pointer + "/uri";
+            return tl::unexpected(std::move(bytes.error()));
+        }
+        if (bytes->size() < static_cast<std::uint64_t>(length))
+            return wrong(name, "the file that it names ends too early", pointer + "/uri");
+        bytes->resize(static_cast<std::size_t>(length));
+        room -= bytes->size();
+        files.bytes.push_back(std::move(*bytes));
+    }
+    return {};
+}
+
+/// Looks the text over and reads the buffers, so that the library behind meets nothing that it could fall over.
+Result<void> prepare(std::string_view bytes, const std::string& name, BufferFiles& files) {
+    const Result<Json> json = parse_gltf_text(bytes);
+    if (!json) {
+        Error error = json.error();
+        error.file = name;
+        return fail(std::move(error));
+    }
+    return read_buffers(*json, bytes.starts_with("glTF"), name, files);
 }
 
 Result<tinygltf::Model> load(std::string_view bytes, const std::string& name) {
-    Folder folder{fs::path(name).parent_path().string()};
+    BufferFiles files;
+    if (auto prepared = prepare(bytes, name, files); !prepared) return tl::unexpected(prepared.error());
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(pass_over_image, nullptr);
-    loader.SetFsCallbacks({is_buffer_file, keep_path, read_buffer_file, write_nothing, &folder});
+    loader.SetFsCallbacks({is_buffer_file, keep_path, read_buffer_file, write_nothing, &files});
     tinygltf::Model model;
     std::string error, warning;
     const unsigned size = static_cast<unsigned>(bytes.size());
     const bool loaded =
         bytes.starts_with("glTF")
             ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                          reinterpret_cast<const unsigned char*>(bytes.data()), size,
-                                          folder.path)
-            : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder.path);
-    if (!loaded) return wrong(name, "this is no sound glTF file: " + first_line(error));
+                                          reinterpret_cast<const unsigned char*>(bytes.data()), size, "")
+            : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
+    if (!loaded) return wrong(name, first_line(error));
     return model;
 }
 
@@ -230,10 +265,10 @@ Result<std::vector<std::int32_t>> roots_of_scene(const tinygltf::Model& model, c
 
 Result<tinygltf::Model> load_gltf(std::string_view bytes, const std::string& name) try {
     if (bytes.size() > std::numeric_limits<std::int32_t>::max())
-        return wrong(name, "a glTF file of more than 2 GiB cannot be read");
+        return fail(Error{.message = "a glTF file of more than 2 GiB cannot be read", .file = name});
     return load(bytes, name);
 } catch (const std::exception& error) {
-    return wrong(name, "this is no sound glTF file: " + first_line(error.what()));
+    return wrong(name, first_line(error.what()));
 }
 
 Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int accessor, int components,
@@ -248,7 +283,7 @@ Result<std::vector<PlacedNode>> place_nodes(const tinygltf::Model& model, const 
         tree.to_parent.push_back(transform_of(node));
     }
     if (const Result<void> found = find_parents(tree); !found) {
-        Error error = found.error();
+        Error error = broken_gltf(found.error());
         error.file = name;
         return fail(std::move(error));
     }

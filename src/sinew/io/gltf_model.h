@@ -13,8 +13,8 @@
 
 namespace sinew {
 
-/// Reads a .glb or a .gltf (the bytes tell which). Buffers in files of their own are looked for beside the
-/// file `name`, and nowhere else; images are passed over. Nothing that refers to something else by an index
+/// Reads a .glb or a .gltf (the bytes tell which). Buffers in files of their own are read by the rule of
+/// named_files.h, largest_input bytes of them at most; images are passed over and never opened. Nothing that refers to something else by an index
 /// has been checked.
 Result<tinygltf::Model> load_gltf(std::string_view bytes, const std::string& name);
 

@@ -6,6 +6,7 @@
 
 #include "sinew/io/gltf_model.h"
 #include "sinew/io/gltf_nodes.h"
+#include "sinew/io/gltf_text.h"
 #include "sinew/io/ngon_encoding.h"
 #include "sinew/mesh/topology.h"
 #include "sinew/mesh/weld.h"
@@ -14,6 +15,10 @@ namespace sinew {
 namespace {
 
 using Index = std::uint32_t;
+
+/// Vertices and corners that may come of each byte of a file; and how many may come of a small one.
+constexpr int largest_expansion = 16;
+constexpr double least_numbers = 4'000'000;
 
 /// Strips and fans as plain triangles.
 std::vector<Triangle> triangles_of(const std::vector<Index>& v, int mode) {
@@ -43,21 +48,66 @@ bool says_shared(const tinygltf::Primitive& primitive) {
 
 class MeshReader {
   public:
-    MeshReader(const tinygltf::Model& model, const std::string& name) : model_(model), name_(name) {}
+    /// @param size  bytes of the file and of those that it names
+    MeshReader(const tinygltf::Model& model, const std::string& name, std::uint64_t size)
+        : model_(model), name_(name), size_(size) {}
 
     Result<QuadMesh> read() {
         const Result<std::vector<PlacedNode>> nodes = place_nodes(model_, name_);
         if (!nodes) return tl::unexpected(nodes.error());
+        if (auto bounded = check_expansion(*nodes); !bounded) return tl::unexpected(bounded.error());
         for (const PlacedNode& placed : *nodes)
             if (auto done = read_node(placed); !done) return tl::unexpected(done.error());
         if (!shared_) mesh_ = welded(mesh_);  // which drops triangles of a single point or line
-        if (mesh_.face_count() == 0) return wrong("there are no triangles in it", "");
+        if (mesh_.face_count() == 0)
+            return cannot("there are no triangles in it", "export it with its meshes");
         return std::move(mesh_);
     }
 
   private:
     tl::unexpected<Error> wrong(std::string message, std::string path) const {
-        return fail(Error{.message = std::move(message), .file = name_, .path = std::move(path)});
+        return fail(
+            broken_gltf(Error{.message = std::move(message), .file = name_, .path = std::move(path)}));
+    }
+    tl::unexpected<Error> cannot(std::string message, std::string cure, std::string path = {}) const {
+        return fail(Error{
+            .message = std::move(message), .cure = std::move(cure), .file = name_, .path = std::move(path)});
+    }
+
+    /// Nodes may show one mesh any number of times, and primitives share their data: what comes of a file is
+    /// counted before any of it is made.
+    Result<void> check_expansion(const std::vector<PlacedNode>& nodes) const {
+        std::vector<double> cost;
+        for (const tinygltf::Mesh& mesh : model_.meshes) {
+            double sum = 1;
+            for (const tinygltf::Primitive& primitive : mesh.primitives) sum += cost_of(primitive);
+            cost.push_back(sum);
+        }
+        const double most = std::max(least_numbers, double(largest_expansion) * double(size_));
+        double made = 0;
+        for (const PlacedNode& placed : nodes) {
+            const int mesh = model_.nodes[static_cast<std::size_t>(placed.node)].mesh;
+            if (mesh < 0 || mesh >= static_cast<int>(cost.size())) continue;
+            made += cost[static_cast<std::size_t>(mesh)];
+            if (made > most)
+                return cannot(fmt::format("meshes that are shown again and again come to more than {:.0f} "
+                                          "vertices and corners, too many for {} bytes of file and data",
+                                          most, size_),
+                              "export fewer instances", fmt::format("/nodes/{}", placed.node));
+        }
+        return {};
+    }
+
+    /// Vertices and corners of a primitive, as the file has them.
+    double cost_of(const tinygltf::Primitive& primitive) const {
+        const auto count = [&](int accessor) {
+            const bool exists = accessor >= 0 && accessor < static_cast<int>(model_.accessors.size());
+            return exists ? double(model_.accessors[static_cast<std::size_t>(accessor)].count) : 0.0;
+        };
+        const auto position = primitive.attributes.find("POSITION");
+        const double vertices = position == primitive.attributes.end() ? 0 : count(position->second);
+        const double corners = primitive.indices < 0 ? vertices : count(primitive.indices);
+        return 1 + vertices + (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 1 : 3) * corners;
     }
 
     Result<void> read_node(const PlacedNode& placed) {
@@ -81,13 +131,13 @@ class MeshReader {
     Result<void> read_primitive(const tinygltf::Primitive& primitive, const Eigen::Affine3d& to_world) {
         for (const char* packed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
             if (primitive.extensions.count(packed))
-                return wrong(fmt::format("its data are packed with {}", packed), path_);
+                return cannot(fmt::format("its data are packed with {}", packed), "export it without", path_);
         const std::size_t base = mesh_.vertex_count();
         if (auto done = read_positions(primitive, to_world); !done) return done;
         Result<std::vector<Index>> indices = read_indices(primitive, mesh_.vertex_count() - base);
         if (!indices) return tl::unexpected(indices.error());
         if (mesh_.vertex_count() + mesh_.corners.size() + 3 * indices->size() >= no_index)
-            return wrong("more vertices or corners than 32 bits can count", path_);
+            return cannot("more vertices or corners than 32 bits can count", "export less of it", path_);
         for (Index& v : *indices) v += static_cast<Index>(base);
         append_faces(primitive, *indices, to_world.linear().determinant() < 0);
         shared_ &= says_shared(primitive);
@@ -145,6 +195,7 @@ class MeshReader {
 
     const tinygltf::Model& model_;
     const std::string& name_;
+    std::uint64_t size_;
     std::string path_;
     QuadMesh mesh_;
     bool shared_ = true;
@@ -155,7 +206,9 @@ class MeshReader {
 Result<QuadMesh> parse_gltf_mesh(std::string_view bytes, const std::string& name) {
     const Result<tinygltf::Model> model = load_gltf(bytes, name);
     if (!model) return tl::unexpected(model.error());
-    return MeshReader(*model, name).read();
+    std::uint64_t size = bytes.size();
+    for (const tinygltf::Buffer& buffer : model->buffers) size += buffer.data.size();
+    return MeshReader(*model, name, size).read();
 }
 
 }  // namespace sinew

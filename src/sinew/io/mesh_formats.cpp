@@ -6,6 +6,7 @@
 
 #include "sinew/io/files.h"
 #include "sinew/io/gltf_reader.h"
+#include "sinew/io/gltf_text.h"
 #include "sinew/io/gltf_writer.h"
 #include "sinew/io/obj.h"
 #include "sinew/io/ply.h"
@@ -70,6 +71,17 @@ Result<QuadMesh> read_mesh(const std::string& path, std::string_view format) {
     const Result<std::string> bytes = read_file(path);
     if (!bytes) return tl::unexpected(bytes.error());
     return parse_mesh(*bytes, (*chosen)->id, path == "-" ? input_name(path) : path);
+}
+
+Result<bool> holds_mesh(const std::string& path, std::string_view format) {
+    const Result<const Format*> chosen = choose_format(path, format, FormatUse::read_mesh);
+    if (!chosen) return tl::unexpected(chosen.error());
+    if (!(*chosen)->reads_skeleton) return true;
+    const Result<std::string> bytes = read_file(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    Result<bool> holds = gltf_holds_mesh(*bytes);
+    if (!holds) holds.error().file = input_name(path);
+    return holds;
 }
 
 Result<QuadMesh> parse_mesh(std::string_view bytes, FormatName format, const std::string& name) try {

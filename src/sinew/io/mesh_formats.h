@@ -21,6 +21,10 @@ Result<QuadMesh> read_mesh(const std::string& path, std::string_view format = {}
 /// a .gltf).
 Result<QuadMesh> parse_mesh(std::string_view bytes, FormatName format, const std::string& name);
 
+/// Is a file of a format that may hold meshes, skeletons or both (glTF) one with a mesh? For other formats of meshes
+/// that is certain, and no file is read. Fails where the file cannot be read or is broken.
+Result<bool> holds_mesh(const std::string& path, std::string_view format = {});
+
 struct MeshWriteOptions {
     std::string format;        ///< a name of the table; empty: by the extension of the path
     bool ascii = false;        ///< PLY as text

@@ -26,6 +26,7 @@ class UsdaReader {
 
     Result<QuadMesh> read() {
         if (auto done = read_layer(); !done) return tl::unexpected(done.error());
+        find_places();
         for (std::size_t i = 0; i < parts_.size(); ++i)
             if (!place(parts_[i], i + 1 < parts_.size() ? parts_[i + 1]
                                                         : Part{mesh_.vertex_count(), mesh_.face_count()}))
@@ -46,14 +47,28 @@ class UsdaReader {
         UsdaMesh mesh;
     };
 
-    /// One Mesh prim in the mesh, and where it is to stand: transforms of prims round it come in as these
-    /// end, since properties may follow the prims in them.
+    /// Where a prim stands: in the one round it, which comes before it, or in the world. Known once the prim ends,
+    /// since its properties may follow the prims in it.
+    struct Frame {
+        std::size_t parent = no_frame;
+        Eigen::Matrix4d matrix =
+            Eigen::Matrix4d::Identity();  ///< to the parent; after find_places() to the world
+    };
+    static constexpr std::size_t no_frame = SIZE_MAX;
+
+    /// One Mesh prim in the mesh.
     struct Part {
         std::size_t first_vertex = 0;
         std::size_t first_face = 0;
-        Eigen::Matrix4d to_parent = Eigen::Matrix4d::Identity();
-        bool in_world = false;  ///< after a reset of the stack
+        std::size_t frame = no_frame;
     };
+
+    /// Parents come first, so that time is linear however deep prims stand in one another.
+    void find_places() {
+        for (Frame& frame : frames_)
+            if (frame.parent != no_frame)
+                frame.matrix = Eigen::Matrix4d(frames_[frame.parent].matrix * frame.matrix);
+    }
 
     tl::unexpected<Error> wrong(std::string message, std::string cure = {}) const {
         return fail(Error{.message = std::move(message),
@@ -140,30 +155,31 @@ class UsdaReader {
     }
 
     Result<void> read_body(Prim& prim, int depth) {
-        const std::size_t first_part = parts_.size();
+        const std::size_t number = frames_.size();
+        frames_.push_back({.parent = open_frame_});
+        open_frame_ = number;
         while (!scanner_.is('}')) {
             if (scanner_.kind() == UsdaToken::end) return no_value();
             if (auto done = read_statement(&prim, depth + 1); !done) return done;
         }
         if (prim.is_mesh) {
-            parts_.push_back({mesh_.vertex_count(), mesh_.face_count()});
+            parts_.push_back({mesh_.vertex_count(), mesh_.face_count(), number});
             if (auto problem = append_usda_mesh(prim.mesh, mesh_))
                 return wrong("in the mesh that ends here: " + *problem);
         }
         bool resets = false;
         const std::optional<Eigen::Matrix4d> step = matrix_of(prim.place, resets);
         if (!step) return wrong("the prim that ends here has a transform that cannot be read");
-        for (std::size_t i = first_part; i < parts_.size(); ++i) {
-            if (!parts_[i].in_world) parts_[i].to_parent = *step * parts_[i].to_parent;
-            parts_[i].in_world |= resets;
-        }
+        open_frame_ = frames_[number].parent;
+        frames_[number].matrix = *step;
+        if (resets) frames_[number].parent = no_frame;
         scanner_.next();
         return {};
     }
 
     /// Moves the vertices of a part; `next` is where the part after it starts.
     bool place(const Part& part, const Part& next) {
-        const Eigen::Matrix4d to_world = to_z_up_ * part.to_parent;
+        const Eigen::Matrix4d to_world = to_z_up_ * frames_[part.frame].matrix;
         if (to_world == Eigen::Matrix4d::Identity()) return true;
         for (std::size_t v = part.first_vertex; v < next.first_vertex; ++v) {
             Vec3f& p = mesh_.positions[v];
@@ -231,6 +247,8 @@ class UsdaReader {
     Eigen::Matrix4d to_z_up_ = y_to_z_up();  ///< y is up where a file does not say otherwise
     QuadMesh mesh_;
     std::vector<Part> parts_;
+    std::vector<Frame> frames_;          ///< of all prims
+    std::size_t open_frame_ = no_frame;  ///< of the prim that is being read
 };
 
 }  // namespace

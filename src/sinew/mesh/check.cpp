@@ -14,9 +14,10 @@ Result<MeshReport> check(const QuadMesh& mesh, const CheckOptions& options, cons
     if (options.cones && options.cones->size() > 0)
         report.deviation = measure_deviation(mesh, *options.cones);
     if (!options.self_intersections) return report;
-    Result<std::vector<FacePair>> pairs = find_self_intersections(mesh, progress);
-    if (!pairs) return tl::unexpected(pairs.error());
-    report.intersections = std::move(*pairs);
+    Result<SelfIntersections> found = find_self_intersections_within_bounds(mesh, progress);
+    if (!found) return tl::unexpected(found.error());
+    report.intersections = std::move(found->pairs);
+    report.all_intersections = found->complete;
     return report;
 }
 

@@ -23,11 +23,14 @@ struct MeshReport {
     Measures measures;  ///< as far as the mesh is well formed
     std::optional<std::vector<FacePair>>
         intersections;                   ///< where they were wanted, and the mesh is well formed
+    bool all_intersections = true;       ///< false: there may be more of them (intersect.h)
     std::optional<Deviation> deviation;  ///< the same, with at least one cone
 
-    /// The surface of a body that does not run through itself, as far as was looked at.
+    /// The surface of a body that does not run through itself, as far as was looked at; not where the search
+    /// was given up.
     bool clean() const {
-        return validation.solid() && !measures.zero_area && (!intersections || intersections->empty());
+        return validation.solid() && !measures.zero_area && all_intersections &&
+               (!intersections || intersections->empty());
     }
 };
 

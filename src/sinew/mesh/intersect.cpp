@@ -85,32 +85,49 @@ class Finder {
           triangles_(sound_triangles(mesh)),
           tree_(build_box_tree(boxes_of(mesh, triangles_))) {}
 
-    Result<std::vector<FacePair>> find() {
+    /// @param bounded  give up where most_pairs_tested says so
+    Result<SelfIntersections> find(bool bounded) {
         const std::vector<BoxTreePair> work = split_overlaps(tree_, 4096);
+        // Each part has its share, so that what is found does not depend on who comes first.
+        const std::uint64_t all = most_pairs_tested + most_pairs_tested_a_face * mesh_.face_count();
+        const std::uint64_t share = bounded ? all / std::max<std::size_t>(work.size(), 1) + 1 : UINT64_MAX;
         const std::size_t block = 16;
         tbb::parallel_for(std::size_t{0}, (work.size() + block - 1) / block, [&](std::size_t b) {
-            if (!progress_.cancelled())
-                find_in(std::span(work).subspan(b * block, std::min(block, work.size() - b * block)),
-                        work.size());
+            find_in(std::span(work).subspan(b * block, std::min(block, work.size() - b * block)), work.size(),
+                    share);
         });
         if (progress_.cancelled()) return Progress::stopped();
-        tbb::parallel_sort(pairs_.begin(), pairs_.end());
-        return std::move(pairs_);
+        tbb::parallel_sort(found_.pairs.begin(), found_.pairs.end());
+        return std::move(found_);
     }
 
   private:
-    void find_in(std::span<const BoxTreePair> work, std::size_t all_work) {
+    void find_in(std::span<const BoxTreePair> work, std::size_t all_work, std::uint64_t share) {
         std::vector<FacePair> found;
-        for (const BoxTreePair& part : work)
-            for_each_overlap(tree_, part, [&](std::size_t a, std::size_t b) {
-                const Index f = tree_.items[a], g = tree_.items[b];
-                if (faces_intersect(mesh_, triangles_, f, g))
-                    found.push_back({std::min(f, g), std::max(f, g)});
-            });
+        bool complete = true;
+        for (const BoxTreePair& part : work) {
+            if (progress_.cancelled()) return;
+            std::uint64_t left = share;
+            find_below(part, left, found);
+            complete = complete && left > 0;
+        }
         const std::lock_guard lock(mutex_);
-        pairs_.insert(pairs_.end(), found.begin(), found.end());
+        found_.pairs.insert(found_.pairs.end(), found.begin(), found.end());
+        found_.complete = found_.complete && complete;
         done_ += work.size();
         progress_(double(done_) / double(all_work), "self-intersections");
+    }
+
+    /// @param left  pairs that may still be looked at; 0 in the end: not all were
+    void find_below(const BoxTreePair& pair, std::uint64_t& left, std::vector<FacePair>& found) {
+        if (left == 0 || --left == 0) return;
+        if (left % 4096 == 0 && progress_.cancelled()) return void(left = 0);
+        if (pair.level > 0)
+            return for_each_child_pair(tree_, pair,
+                                       [&](const BoxTreePair& child) { find_below(child, left, found); });
+        if (pair.low == pair.high) return;
+        const Index f = tree_.items[pair.low], g = tree_.items[pair.high];
+        if (faces_intersect(mesh_, triangles_, f, g)) found.push_back({std::min(f, g), std::max(f, g)});
     }
 
     const QuadMesh& mesh_;
@@ -118,14 +135,21 @@ class Finder {
     Triangles triangles_;
     BoxTree tree_;
     std::mutex mutex_;
-    std::vector<FacePair> pairs_;
+    SelfIntersections found_;
     std::size_t done_ = 0;
 };
 
 }  // namespace
 
 Result<std::vector<FacePair>> find_self_intersections(const QuadMesh& mesh, const Progress& progress) {
-    return Finder(mesh, progress).find();
+    Result<SelfIntersections> found = Finder(mesh, progress).find(false);
+    if (!found) return tl::unexpected(found.error());
+    return std::move(found->pairs);
+}
+
+Result<SelfIntersections> find_self_intersections_within_bounds(const QuadMesh& mesh,
+                                                                const Progress& progress) {
+    return Finder(mesh, progress).find(true);
 }
 
 }  // namespace sinew
