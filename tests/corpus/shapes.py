@@ -44,20 +44,20 @@ FIGURES = (Figure("caved_seen", "caved in, %", 100), Figure("swell99", "swelling
 # At most (of scaled Jacobians at least) so much in the median, at the 90th percentile and at worst: what was measured, and a
 # tenth of it or what a change of one joint in one skeleton does, whichever is more.
 LIMITS = {
-    "0": {"caved_seen": (0.1, 2, 18.7), "swell99": (-0.02, 0.27, 0.69), "sj1": (0.29, -0.11, -0.2),
-          "aspect4": (8.9, 55, 68.7), "folded": (0.1, 0.1, 0.7)},
-    "1": {"caved_seen": (0.2, 0.8, 4.6), "swell99": (0.14, 0.26, 0.49), "turn99": (58, 75, 93),
-          "sj1": (0.58, 0.3, 0.18), "aspect4": (2.7, 26.9, 53), "folded": (0.1, 0.1, 0.1)},
-    "2": {"caved_seen": (0.1, 0.5, 5), "swell99": (0.18, 0.3, 0.53), "turn99": (31, 37, 41), "sj1": (0.68, 0.33, 0.24),
-          "aspect4": (3, 25.9, 52), "folded": (0.1, 0.1, 0.2)},
-    "0, aspect 2": {"caved_seen": (0.1, 2, 18.4), "swell99": (-0.02, 0.24, 0.69), "sj1": (0.34, 0.07, -0.13),
-                    "aspect4": (1.4, 4.1, 7), "folded": (0.1, 0.1, 0.6)},
-    "2, aspect 2": {"caved_seen": (0.1, 0.5, 5), "swell99": (0.11, 0.25, 0.44), "turn99": (30, 33, 38),
-                    "sj1": (0.7, 0.46, 0.3), "aspect4": (1.2, 2.3, 3), "folded": (0.1, 0.1, 0.2)},
+    "0": {"caved_seen": (0.1, 2, 18.7), "swell99": (-0.02, 0.26, 0.7), "sj1": (0.29, -0.11, -0.19),
+          "aspect4": (8.9, 54.9, 68.7), "folded": (0.1, 0.1, 0.7)},
+    "1": {"caved_seen": (0.1, 0.6, 5.3), "swell99": (0.07, 0.23, 0.49), "turn99": (57, 66, 79),
+          "sj1": (0.58, 0.35, 0.22), "aspect4": (2.2, 13.4, 38.9), "folded": (0.1, 0.1, 0.1)},
+    "2": {"caved_seen": (0.1, 0.5, 5), "swell99": (0.1, 0.24, 0.54), "turn99": (31, 35, 37), "sj1": (0.69, 0.37, 0.28),
+          "aspect4": (2.3, 12.3, 29.7), "folded": (0.1, 0.1, 0.2)},
+    "0, aspect 2": {"caved_seen": (0.1, 2, 18.4), "swell99": (-0.02, 0.23, 0.7), "sj1": (0.35, 0.07, -0.13),
+                    "aspect4": (1.3, 4.1, 7), "folded": (0.1, 0.1, 0.6)},
+    "2, aspect 2": {"caved_seen": (0.1, 0.5, 5), "swell99": (0.1, 0.25, 0.48), "turn99": (30, 32, 35),
+                    "sj1": (0.71, 0.49, 0.33), "aspect4": (1.2, 2.2, 2.6), "folded": (0.1, 0.1, 0.2)},
 }
 # So many files may be worse than Blender's subdivided meshes of the same skeletons (it has 36): what was measured, and one.
 WORSE_THAN_BLENDER = {
-    "2": {"caved_seen": 3, "swell99": 9, "turn99": 2, "sj1": 8, "aspect4": 16, "folded": 2},
+    "2": {"caved_seen": 3, "swell99": 8, "turn99": 1, "sj1": 7, "aspect4": 15, "folded": 2},
     "2, aspect 2": {"caved_seen": 3, "swell99": 8, "turn99": 1, "sj1": 6, "aspect4": 7, "folded": 1},
 }
 # Of two meshes whose figures differ by less, neither is worse.
