@@ -47,14 +47,6 @@ double least_angle(const Plain& skeleton) {
     return least_angle(skeleton.position, skeleton.radius, skeleton.bones);
 }
 
-bool has_room(const Document& document) {
-    const auto bones = bones_of(document);
-    return least_angle(document) > 0.15 && std::all_of(bones.begin(), bones.end(), [&](const Bone& bone) {
-               const Node &a = document.nodes[bone[0]], &b = document.nodes[bone[1]];
-               return (a.position - b.position).norm() >= 1.1 * (a.radius + b.radius);
-           });
-}
-
 bool is_own_image(const Document& document, int axis) {
     using Place = std::array<double, 5>;
     const auto place = [&](std::int32_t i, double sign) {

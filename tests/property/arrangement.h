@@ -14,10 +14,6 @@ bool is_plain(const Document& document);
 double least_angle(const Document& document);
 double least_angle(const Plain& skeleton);
 
-/// Whether the round cones of the bones at a node come apart somewhere: bones a tenth longer than the balls
-/// at their ends, and not side by side. Tubes that swallow each other have no outside to speak of.
-bool has_room(const Document& document);
-
 /// Is the skeleton its own image in the plane across an axis? Not if two of its nodes cannot be told apart.
 bool is_own_image(const Document& document, int axis);
 

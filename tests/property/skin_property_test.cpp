@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "property/case_files.h"
+#include "property/hostile_skeletons.h"
 #include "property/properties.h"
 #include "property/shrink.h"
 #include "sinew/io/files.h"
@@ -33,13 +34,15 @@ struct Found {
     std::string failure;
 };
 
-std::vector<Found> search(std::uint64_t first, std::uint64_t count) {
+using Draw = Case (*)(std::uint64_t seed);
+
+std::vector<Found> search(Draw draw, std::uint64_t first, std::uint64_t count) {
     std::vector<Found> found;
     std::mutex mutex;
     std::atomic<std::uint64_t> next = first;
     const auto work = [&] {
         for (std::uint64_t seed = next++; seed < first + count; seed = next++) {
-            const std::string failure = failure_of(random_case(seed));
+            const std::string failure = failure_of(draw(seed));
             if (failure.empty()) continue;
             const std::lock_guard lock(mutex);
             found.push_back({seed, failure});
@@ -52,10 +55,10 @@ std::vector<Found> search(std::uint64_t first, std::uint64_t count) {
     return found;
 }
 
-void report(const Found& found) {
+void report(Draw draw, const Found& found) {
     const std::string name = name_of(found.failure);
-    const Case small = shrink(random_case(found.seed),
-                              [&](const Case& tried) { return name_of(failure_of(tried)) == name; });
+    const Case small =
+        shrink(draw(found.seed), [&](const Case& tried) { return name_of(failure_of(tried)) == name; });
     const std::filesystem::path file = corpus / fmt::format("{}_{}.sinew", name, found.seed);
     const std::string text = print_case(small);
     const auto written = write_file(file.string(), text);
@@ -77,15 +80,20 @@ TEST(SkinProperties, HoldForTheCorpus) {
     EXPECT_GT(tried, 0);
 }
 
-TEST(SkinProperties, HoldForRandomSkeletons) {
-    const std::uint64_t count = number_from("SINEW_PROPERTY_CASES", SINEW_PROPERTY_DEFAULT);
-    const std::vector<Found> found = search(number_from("SINEW_PROPERTY_FIRST", 1), count);
+/// @param share  of the cases that are asked for
+void try_many(Draw draw, std::uint64_t share) {
+    const std::uint64_t count = number_from("SINEW_PROPERTY_CASES", SINEW_PROPERTY_DEFAULT) / share;
+    const std::vector<Found> found = search(draw, number_from("SINEW_PROPERTY_FIRST", 1), count);
     std::map<std::string, int> reported;
     for (const Found& f : found)
-        if (++reported[name_of(f.failure)] <= 3) report(f);
+        if (++reported[name_of(f.failure)] <= 3) report(draw, f);
     for (const auto& [name, times] : reported)
         ADD_FAILURE() << name << ": fails for " << times << " of " << count;
 }
+
+TEST(SkinProperties, HoldForRandomSkeletons) { try_many(random_case, 1); }
+
+TEST(SkinProperties, HoldForHostileSkeletons) { try_many(hostile_case, 4); }
 
 TEST(Shrink, FindsTheSmallestCase) {
     const auto has_joint = [](const Case& c) {
