@@ -15,10 +15,6 @@
 namespace sinew {
 namespace {
 
-tl::unexpected<Error> fail_at(std::string pointer, std::string message, std::string cure) {
-    return fail(Error{.message = std::move(message), .cure = std::move(cure), .path = std::move(pointer)});
-}
-
 struct GltfNodes {
     GltfTree tree;
     std::vector<std::string> name;
@@ -32,12 +28,12 @@ Result<std::array<double, 16>> numbers(const Json& node, const char* key, std::s
     if (!values) return fallback;
     const std::string place = fmt::format("{}/{}", pointer, key);
     if (!values->is_array() || values->size() != count)
-        return fail_at(place, fmt::format("the {} must be an array of {} numbers", key, count),
-                       "export the file again");
+        return gltf_fault(place, fmt::format("the {} must be an array of {} numbers", key, count),
+                          "export the file again");
     std::array<double, 16> result{};
     for (std::size_t k = 0; k < count; ++k) {
         if (!(*values)[k].is_number())
-            return fail_at(place, fmt::format("the {} must be numbers", key), "export the file again");
+            return gltf_fault(place, fmt::format("the {} must be numbers", key), "export the file again");
         result[k] = (*values)[k].get<double>();
     }
     return result;
@@ -64,7 +60,7 @@ Result<Eigen::Affine3d> transform_of(const Json& node, const std::string& pointe
 Result<std::int32_t> node_number(const Json& value, std::size_t count, const std::string& pointer) {
     const std::optional<std::int64_t> number = integer_in(value);
     if (!number || *number < 0 || *number >= static_cast<std::int64_t>(count))
-        return fail_at(pointer, "this is no number of a node of the file", "export the file again");
+        return gltf_fault(pointer, "this is no number of a node of the file", "export the file again");
     return static_cast<std::int32_t>(*number);
 }
 
@@ -116,7 +112,7 @@ Result<void> mark_scene(const Json& root, GltfNodes& nodes) {
         return {};
     }
     if (number < 0 || number >= static_cast<std::int64_t>(scenes.size()))
-        return fail_at("/scene", "there is no such scene", "export the file again");
+        return gltf_fault("/scene", "there is no such scene", "export the file again");
     const Json& list = array_in(scenes[number], "nodes");
     std::vector<std::int32_t> roots;
     for (std::size_t k = 0; k < list.size(); ++k) {
@@ -143,9 +139,9 @@ Result<Document> joints(const GltfNodes& nodes) {
         index[i] = static_cast<std::int32_t>(document.nodes.size());
         const Vec3 position = gltf_to_z_up() * world[i].translation();
         if (!(position.cwiseAbs().maxCoeff() <= largest_length))
-            return fail_at(fmt::format("/nodes/{}", i),
-                           "the transforms lead to a position that is no finite number",
-                           "export the file again");
+            return gltf_fault(fmt::format("/nodes/{}", i),
+                              "the transforms lead to a position that is no finite number",
+                              "export the file again");
         document.nodes.push_back({.id = i, .position = position});
         document.names.push_back(nodes.name[i]);
     }

@@ -5,15 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "sinew/io/gltf_text.h"
+
 namespace sinew {
-namespace {
-
-tl::unexpected<Error> fail_at(std::string pointer, std::string message) {
-    return fail(
-        Error{.message = std::move(message), .cure = "export the file again", .path = std::move(pointer)});
-}
-
-}  // namespace
 
 Eigen::Affine3d gltf_transform(const Vec3& translation, const Quat& rotation, const Vec3& scale) {
     Eigen::Affine3d transform = Eigen::Affine3d::Identity();
@@ -37,16 +31,16 @@ Result<void> find_parents(GltfTree& tree) {
         for (std::size_t k = 0; k < tree.children[i].size(); ++k) {
             const std::int32_t child = tree.children[i][k];
             const std::string place = fmt::format("/nodes/{}/children/{}", i, k);
-            if (child < 0 || child >= count) return fail_at(place, "there is no such node in the file");
+            if (child < 0 || child >= count) return gltf_fault(place, "there is no such node in the file");
             if (std::exchange(tree.parent[child], i) >= 0)
-                return fail_at(place, fmt::format("the node {} has two parents", child));
+                return gltf_fault(place, fmt::format("the node {} has two parents", child));
         }
     std::vector<std::int32_t> reached = parents_first(tree, roots_of(tree));
     if (reached.size() == tree.children.size()) return {};
     std::ranges::sort(reached);
     std::int32_t lost = 0;
     while (std::ranges::binary_search(reached, lost)) ++lost;
-    return fail_at(fmt::format("/nodes/{}", lost), "the node is its own ancestor");
+    return gltf_fault(fmt::format("/nodes/{}", lost), "the node is its own ancestor");
 }
 
 std::vector<std::int32_t> roots_of(const GltfTree& tree) {

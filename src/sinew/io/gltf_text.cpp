@@ -13,10 +13,6 @@ namespace {
 
 constexpr const char* export_again = "export the file again";
 
-tl::unexpected<Error> fail_at(std::string pointer, std::string message, std::string cure = export_again) {
-    return fail(Error{.message = std::move(message), .cure = std::move(cure), .path = std::move(pointer)});
-}
-
 std::uint32_t version_of_glb(std::string_view bytes) {
     return get_bytes<std::uint32_t>(bytes.data() + 4, std::endian::little);
 }
@@ -44,7 +40,8 @@ Result<void> check_version(const Json& root) {
     const Json* asset = root.is_object() ? find(root, "asset") : nullptr;
     const Json* version = asset && asset->is_object() ? find(*asset, "version") : nullptr;
     if (!version || !version->is_string() || !version->get<std::string>().starts_with("2."))
-        return fail_at("/asset/version", "this is JSON, but no glTF of version 2", "export it as glTF 2.0");
+        return gltf_fault("/asset/version", "this is JSON, but no glTF of version 2",
+                          "export it as glTF 2.0");
     return {};
 }
 
@@ -69,12 +66,12 @@ Result<void> check_lists(const Json& root) {
     for (const auto& [list, keys] : required()) {
         const Json* value = find(root, list);
         if (!value) continue;
-        if (!value->is_array()) return fail_at(fmt::format("/{}", list), "this must be an array");
+        if (!value->is_array()) return gltf_fault(fmt::format("/{}", list), "this must be an array");
         for (std::size_t i = 0; i < value->size(); ++i) {
             const std::string pointer = fmt::format("/{}/{}", list, i);
-            if (!(*value)[i].is_object()) return fail_at(pointer, "this must be an object");
+            if (!(*value)[i].is_object()) return gltf_fault(pointer, "this must be an object");
             for (const char* key : keys)
-                if (!find((*value)[i], key)) return fail_at(pointer, fmt::format("it has no {}", key));
+                if (!find((*value)[i], key)) return gltf_fault(pointer, fmt::format("it has no {}", key));
         }
     }
     return {};
@@ -101,6 +98,10 @@ Error broken_gltf(Error error, std::string_view bytes) {
     else if (!bytes.empty() && error.line == 0 && !error.path.empty())
         error.line = line_of(bytes, error.path);
     return error;
+}
+
+tl::unexpected<Error> gltf_fault(std::string pointer, std::string message, std::string cure) {
+    return fail(Error{.message = std::move(message), .cure = std::move(cure), .path = std::move(pointer)});
 }
 
 Result<Json> parse_gltf_text(std::string_view bytes) {

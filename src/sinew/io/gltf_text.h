@@ -2,6 +2,7 @@
 /// The JSON of a glTF 2.0 file, looked over before anybody relies on it. For the sources of this folder only.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "sinew/base/result.h"
@@ -13,6 +14,10 @@ namespace sinew {
 /// that have what the specification requires of them. Fails for anything else: the file is broken, with line or
 /// JSON pointer and what to do. Nesting is bounded (deepest_json), so that others may walk it by calls.
 Result<Json> parse_gltf_text(std::string_view bytes);
+
+/// The error that something at a JSON pointer of a glTF file is wrong.
+tl::unexpected<Error> gltf_fault(std::string pointer, std::string message,
+                                 std::string cure = "export the file again");
 
 /// Marks an error as one of a broken glTF file, says what to do, and adds the line of its pointer where the bytes
 /// are text that people can look into.
