@@ -4,20 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "sinew/io/files.h"
 
 namespace sinew::cli {
 namespace {
-
-/// Writing may be broken off where it waits for somebody else, such as the reader of a pipe.
-template <class Write>
-auto unless_waiting(const std::string& path, const Write& write) {
-    std::optional<InterruptsEndProgram> meanwhile;
-    if (writes_directly(path)) meanwhile.emplace();
-    return write();
-}
 
 struct FaceCounts {
     std::int64_t quads = 0, triangles = 0, others = 0;

@@ -5,12 +5,14 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "cli/interrupt.h"
 #include "cli/session.h"
+#include "sinew/io/files.h"
 #include "sinew/io/mesh_formats.h"
 #include "sinew/io/skeleton_formats.h"
 #include "sinew/mesh/quad_mesh.h"
@@ -56,6 +58,14 @@ template <class Work>
 auto interruptibly(const Work& work) {
     const InterruptsEndProgram meanwhile;
     return work();
+}
+
+/// Writing may be broken off where it waits for somebody else, such as the reader of a pipe.
+template <class Write>
+auto unless_waiting(const std::string& path, const Write& write) {
+    std::optional<InterruptsEndProgram> meanwhile;
+    if (writes_directly(path)) meanwhile.emplace();
+    return write();
 }
 
 /// "1 node", "2 nodes".

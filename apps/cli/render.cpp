@@ -114,7 +114,7 @@ Result<Scene> RenderCommand::scene(Session& session, const Job& job) const {
     if (!drawn) return fail(drawn.error());
     scene.mesh = mesh_buffers(*drawn);
     if (!bones.empty()) {
-        const auto read = read_skeleton(bones);
+        const auto read = interruptibly([&] { return read_skeleton(bones); });
         if (!read) return fail(read.error());
         scene.glyphs = make_glyphs(read->document, slender_glyphs);
     }
@@ -141,7 +141,7 @@ Result<void> write_picture(const Picture& picture, const std::string& path) {
     const auto bytes = encode_png(picture);
     if (!bytes) return fail(bytes.error());
     if (auto on = heed_interrupt(); !on) return on;
-    return write_file(path, *bytes);
+    return unless_waiting(path, [&] { return write_file(path, *bytes); });
 }
 
 Outcome describe(const Picture& picture, const std::string& path) {

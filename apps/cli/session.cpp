@@ -48,10 +48,12 @@ Result<void> Session::warn(const std::string& file, const Warnings& warnings) {
 }
 
 void Session::put(const std::string& text) {
+    const InterruptsEndProgram meanwhile;  // nobody may ever read it
     if (const auto written = write_file("-", printable(text, true)); !written) error(written.error());
 }
 
 void Session::put_json(const Json& value) {
+    const InterruptsEndProgram meanwhile;
     if (const auto written = write_file("-", line_of(value) + "\n"); !written) error(written.error());
 }
 
