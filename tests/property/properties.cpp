@@ -250,8 +250,13 @@ bool may_turn(const Document& document) {
     return std::none_of(document.nodes.begin(), document.nodes.end(), [&](const Node& n) {
         const bool alone = around.degree(static_cast<std::int32_t>(&n - document.nodes.data())) == 0;
         const bool round = n.section == Section::round && n.scale[0] == n.scale[1];
+        const auto self = static_cast<std::int32_t>(&n - document.nodes.data());
+        const auto around_it = around.bones(self);
+        const bool has_dents = std::any_of(around_it.begin(), around_it.end(), [&](std::int32_t b) {
+            return document.nodes[bones[b][0] == self ? bones[b][1] : bones[b][0]].type == NodeType::negative;
+        });
         const bool has_body =
-            n.type == NodeType::cube || n.type == NodeType::ball || n.type == NodeType::negative;
+            n.type == NodeType::cube || n.type == NodeType::ball || n.type == NodeType::negative || has_dents;
         return on_axis(n) && (!round || has_body || alone);
     });
 }

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <numeric>
+#include <queue>
+#include <utility>
 
 namespace sinew::sqm {
 namespace {
 
 /// Lengths of arcs that are images of each other differ by rounding: of such the first one is taken.
 constexpr double by_more_than_rounding = 1 + 1e-9;
+
+/// Arcs of a problem from which the longest one is not looked for among all each time.
+constexpr std::ptrdiff_t very_many = 768;
 
 constexpr std::int32_t no_state = -1;
 // Instead of the arc of a step:
@@ -58,6 +63,25 @@ bool CountProblem::take_both_lacking() {
     }
     if (best) change(*best, 1);
     return best != nullptr;
+}
+
+/// The same for very many arcs, of which one nearly as long as the longest may come first.
+void CountProblem::take_all_both_lacking() {
+    using Entry = std::pair<double, std::int32_t>;  // length of a piece, minus the arc
+    std::priority_queue<Entry> longest;
+    const auto is_lacking = [&](const CountArc& arc) {
+        return lack_[arc.a] > 0 && (arc.b < 0 || (arc.b == arc.a ? lack_[arc.a] > 1 : lack_[arc.b] > 0));
+    };
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+        longest.emplace(piece_length(arcs[i]), -static_cast<std::int32_t>(i));
+    while (!longest.empty()) {  // each turn takes an entry away or a piece of what the cells lack
+        CountArc& arc = arcs[-longest.top().second];
+        const std::int32_t index = longest.top().second;
+        longest.pop();
+        if (!is_lacking(arc)) continue;  // nor will it be: lacks only shrink here
+        change(arc, 1);
+        longest.emplace(piece_length(arc), index);
+    }
 }
 
 /// Splits an arc that a cell shares with one that may have more than it asked for, a cheap one if there is
@@ -150,6 +174,7 @@ bool CountProblem::solve() {
     start();
     for (std::size_t c = 0; c < cells.size(); ++c)
         if (cells[c].exact && lack_[c] < 0) return false;
+    if (std::ssize(arcs) > very_many) take_all_both_lacking();
     while (take_both_lacking()) {
     }
     for (std::int32_t c = 0; c < std::ssize(cells); ++c)

@@ -52,6 +52,7 @@ class CountProblem {
     };
     void start();
     bool take_both_lacking();
+    void take_all_both_lacking();
     bool take_free(std::int32_t cell);
     bool take_walk(std::int32_t cell);
     std::int32_t find_walk(std::int32_t cell);

@@ -1,7 +1,10 @@
 #include "sinew/sqm/cells/images.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 namespace sinew::sqm {
 namespace {
@@ -9,6 +12,26 @@ namespace {
 /// How far from the image of a direction, squared, the one may lie that is taken for it. Images differ by the
 /// rounding of doubles alone, and directions of one joint are a tenth or so apart: anything between does.
 constexpr double same_place = 1e-12;
+
+/// Some of the points of one joint, in the order of their height in a direction that nothing is drawn along.
+class PlacesByHeight {
+  public:
+    PlacesByHeight(const std::vector<Vec3>& points, std::int32_t begin, std::int32_t end) {
+        for (std::int32_t m = begin; m < end; ++m) places_.emplace_back(height(points[m]), m);
+        std::sort(places_.begin(), places_.end());
+    }
+    /// visit(index) for all that may be in the same place.
+    template <class Visit>
+    void for_near(const Vec3& place, Visit visit) const {
+        const double reach = 2 * std::sqrt(same_place), low = height(place) - reach;
+        auto at = std::lower_bound(places_.begin(), places_.end(), std::pair(low, std::int32_t{-1}));
+        for (; at != places_.end() && at->first <= low + 2 * reach; ++at) visit(at->second);
+    }
+
+  private:
+    static double height(const Vec3& p) { return Vec3(0.5377, 0.8339, 0.1246).dot(p); }
+    std::vector<std::pair<double, std::int32_t>> places_;
+};
 
 /// Finds the images one kind after the other; stops at the first thing without one.
 class Search {
@@ -49,12 +72,15 @@ class Search {
         for (std::int32_t j = 0; j < network_.joint_count(); ++j) {
             const std::int32_t k = images_.joint[j];
             if (first[j + 1] - first[j] != first[k + 1] - first[k]) return false;
+            const PlacesByHeight places(points, first[k], first[k + 1]);
             for (std::int32_t i = first[j]; i < first[j + 1]; ++i) {
                 const Vec3 at = images_.generator * points[i];
                 std::int32_t best = -1;
                 double nearest = same_place;
-                for (std::int32_t m = first[k]; m < first[k + 1]; ++m)
-                    if (const double d = (points[m] - at).squaredNorm(); d < nearest) nearest = d, best = m;
+                places.for_near(at, [&](std::int32_t m) {
+                    const double d = (points[m] - at).squaredNorm();
+                    if (d < nearest || (d == nearest && m < best)) nearest = d, best = m;
+                });
                 if (best < 0 || taken[best]) return false;
                 taken[best] = true;
                 image[i] = best;
@@ -68,17 +94,29 @@ class Search {
         images_.arc_reversed.assign(p_.arcs.size(), 0);
         for (std::int32_t j = 0; j < network_.joint_count(); ++j) {
             const std::int32_t k = images_.joint[j];
+            by_ends_.clear();
+            for (std::int32_t b = p_.arc_first[k]; b < p_.arc_first[k + 1]; ++b)
+                by_ends_.push_back(ends_and(p_.arcs[b].from, p_.arcs[b].to, b));
+            std::sort(by_ends_.begin(), by_ends_.end());
             for (std::int32_t a = p_.arc_first[j]; a < p_.arc_first[j + 1]; ++a)
-                if (!arc_image(a, p_.arc_first[k], p_.arc_first[k + 1])) return false;
+                if (!arc_image(a)) return false;
         }
         return true;
     }
-    bool arc_image(std::int32_t a, std::int32_t begin, std::int32_t end) {
+    /// An arc with its two ends, the lower one first, for arcs to be found by them.
+    using EndsAnd = std::array<std::int32_t, 3>;
+    static EndsAnd ends_and(std::int32_t from, std::int32_t to, std::int32_t arc) {
+        return {std::min(from, to), std::max(from, to), arc};
+    }
+    bool arc_image(std::int32_t a) {
         const CellArc& arc = p_.arcs[a];
         std::int32_t from = images_.vertex[arc.from], to = images_.vertex[arc.to];
         std::int32_t left = images_.cell[arc.left], right = images_.cell[arc.right];
         if (images_.reverses) std::swap(left, right);
-        for (std::int32_t b = begin; b < end; ++b) {
+        const EndsAnd wanted = ends_and(from, to, 0);
+        for (auto at = std::lower_bound(by_ends_.begin(), by_ends_.end(), wanted);
+             at != by_ends_.end() && (*at)[0] == wanted[0] && (*at)[1] == wanted[1]; ++at) {
+            const std::int32_t b = (*at)[2];
             const CellArc& c = p_.arcs[b];
             const bool same = c.from == from && c.to == to && c.left == left && c.right == right;
             const bool reversed = c.from == to && c.to == from && c.left == right && c.right == left;
@@ -132,6 +170,7 @@ class Search {
     const Plain& skeleton_;
     const Network& network_;
     const Polyhedra& p_;
+    std::vector<EndsAnd> by_ends_;  // the arcs of the joint that images are looked for at
     Images images_;
 };
 
