@@ -31,7 +31,7 @@ constexpr double beyond_rim = 1.05;
 
 // Of a ball's smallest radius: the circle of the widest tube, 64 degrees from its axis. What is left to the
 // other side of the ball narrows quickly from there on: 77 degrees at 0.975.
-constexpr double widest_tube = 0.9;
+constexpr double widest_limb = 0.9;
 
 // Of its parent's radius, and of its parent's thickness: what a dent leaves is a wall that one can see. Of 72
 // bowls one crossed itself with 0.9, and three from 0.93 on; the depth matters to nobody up to 0.95.
@@ -134,7 +134,7 @@ void add_ball(PlainBuilder& b, std::int32_t node) {
         if (b.is_pit(neighbour)) continue;
         const Vec3 ray = b.direction(node, neighbour);
         const double reach = exit_of_ellipsoid(ball, ray),
-                     tube = std::min(b.radius(neighbour), widest_tube * ball.half.minCoeff());
+                     tube = std::min(b.radius(neighbour), widest_limb * ball.half.minCoeff());
         const double height = reach * std::sqrt(1 - (tube / reach) * (tube / reach));
         const double distance = (b.position(neighbour) - b.position(node)).norm();
         if (distance <= height * (1 + no_bone)) continue;  // the other end is inside the ball

@@ -23,7 +23,7 @@ constexpr double widest_beam = 0.98, widest_tube = 0.9;
 // How far the beam to a neighbour may be from its face and still be flush with it: in size, as a share of the
 // face, as contacts.cpp has it for cubes; in direction, as a cosine, 37 degrees. The beam comes from that
 // face and no other, and is turned to it: a side that it is nearer to (beyond 45 degrees) would be as good.
-constexpr double same_size = 0.01, same_way = 0.8;
+constexpr double same_extent = 0.01, same_way = 0.8;
 
 // Of a tube's radius, above the face: where the bones through it part. Their ball is clear of the face by a
 // fifth, the least that leaves room for a ring: the higher, the fewer tubes cross beside it (21 of 240 random
@@ -40,8 +40,8 @@ bool is_flush(const PlainBuilder& b, std::int32_t neighbour, const Face& face) {
     if (std::abs(beam.z.dot(face.frame.z)) < same_way) return false;
     const bool along = std::abs(beam.x.dot(face.frame.x)) > std::abs(beam.x.dot(face.frame.y));
     const double x = along ? beam.half.x() : beam.half.y(), y = along ? beam.half.y() : beam.half.x();
-    return std::abs(x - face.half_x) < same_size * face.half_x &&
-           std::abs(y - face.half_y) < same_size * face.half_y;
+    return std::abs(x - face.half_x) < same_extent * face.half_x &&
+           std::abs(y - face.half_y) < same_extent * face.half_y;
 }
 
 /// Vertices that a circle needs beside an edge. Subdivision moves the middles of its chords out to the

@@ -11,7 +11,7 @@ namespace sinew::sqm {
 namespace {
 
 constexpr std::int32_t leaf_size = 8;
-constexpr double no_limit = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// What rounding may add to a bound, of it.
 constexpr double rounding = 1 + 1e-9;
 
@@ -29,7 +29,7 @@ void CrowdedSlots::bound(Node& node, std::span<const ConeFrom> cones) const {
     Vec3 sum = Vec3::Zero();
     for (std::int32_t i = node.begin; i < node.end; ++i) sum += cones[slots_[i]].axis;
     node.axis = sum.squaredNorm() > 0 ? Vec3(sum.normalized()) : Vec3(Vec3::UnitX());
-    node.limit = no_limit;
+    node.limit = unlimited;
     for (std::int32_t i = node.begin; i < node.end; ++i) {
         const ConeFrom& cone = cones[slots_[i]];
         node.spread = std::max(node.spread, (cone.axis - node.axis).norm());
@@ -70,7 +70,7 @@ void CrowdedSlots::set_limits(std::span<const double> limits) {
     for (std::size_t i = nodes_.size(); i-- > 0;) {
         Node& node = nodes_[i];
         node.limit =
-            node.child < 0 ? no_limit : std::min(nodes_[node.child].limit, nodes_[node.child + 1].limit);
+            node.child < 0 ? unlimited : std::min(nodes_[node.child].limit, nodes_[node.child + 1].limit);
         for (std::int32_t k = node.begin; node.child < 0 && k < node.end; ++k)
             node.limit = std::min(node.limit, limits[slots_[k]]);
     }
@@ -131,7 +131,7 @@ double CrowdedSlots::limited(std::span<const ConeFrom> cones, std::span<const do
                              double distance) const {
     const auto worth = [&](const Node& node) {
         const double chord = chord_to(node, ray), cosine = 1 - 0.5 * chord * chord;
-        return cosine > 0 ? -node.limit / (cosine * rounding) : -no_limit;
+        return cosine > 0 ? -node.limit / (cosine * rounding) : -unlimited;
     };
     search(
         worth, [&] { return -distance; },
