@@ -9,7 +9,7 @@ namespace {
 
 /// All points are corners, each edge is that of two faces, and no face is below the point across its edge:
 /// what is convex at every edge is so as a whole.
-void expect_convex(const SphereHull& hull, std::size_t count) {
+void expect_large_convex(const SphereHull& hull, std::size_t count) {
     ASSERT_EQ(hull.face_count(), 2 * std::ssize(hull.grid) - 4);
     ASSERT_EQ(hull.grid.size(), count);
     for (std::int32_t f = 0; f < hull.face_count(); ++f) {
@@ -31,7 +31,7 @@ TEST(LargeHull, IsConvexAndHasAllPoints) {
     for (const int n : {crowd + 1, 1000, 5000}) {
         const auto points = random_directions(random, n);
         find_sphere_hull(points, hull);
-        expect_convex(hull, points.size());
+        expect_large_convex(hull, points.size());
     }
 }
 
@@ -43,9 +43,9 @@ TEST(LargeHull, IsConvexForABundleAndForAWheelWithAnAxle) {
     wheel.push_back(-Vec3::UnitZ());
     SphereHull hull;
     find_sphere_hull(bundle, hull);
-    expect_convex(hull, bundle.size());
+    expect_large_convex(hull, bundle.size());
     find_sphere_hull(wheel, hull);
-    expect_convex(hull, wheel.size());
+    expect_large_convex(hull, wheel.size());
 }
 
 /// Every cell of a crowd is a ring of sides, wherever its directions are: Euler's formula for the whole.
