@@ -17,7 +17,8 @@ namespace sinew::sqm {
 namespace {
 
 constexpr std::uint8_t fit_steps = 8;
-constexpr int balance_steps = 4;  // more change no figure of 38 skeletons of others by more than 0.01 r
+constexpr int balance_steps =
+    8;  // with 4 a limb is still dented by 3 % of its radius beside a branch, with 8 by less than 2.5 %
 constexpr double steepest_fitted = 0.3;  // cosine of a wall to its ray, in grooves
 
 /// Round cones meet in creases, and faces at joints are of all sizes: a smooth surface that passes through
