@@ -12,6 +12,7 @@ set(SINEW_PUBLIC_HEADERS
     skeleton/symmetry.h
     grow/source.h
     grow/grammar.h
+    grow/options.h
     grow/grow.h
     sqm/skin.h
     subdivide/subdivide.h
