@@ -16,9 +16,8 @@
 namespace sinew::sqm {
 namespace {
 
-constexpr std::uint8_t fit_steps = 8;
-constexpr int balance_steps =
-    8;  // with 4 a limb is still dented by 3 % of its radius beside a branch, with 8 by less than 2.5 %
+constexpr std::uint8_t fit_steps =
+    8;  // with 4 a limb is dented by 3 % of its radius beside a branch, with 8 by less than 2.5 %
 constexpr double steepest_fitted = 0.3;  // cosine of a wall to its ray, in grooves
 
 /// Round cones meet in creases, and faces at joints are of all sizes: a smooth surface that passes through
@@ -322,23 +321,22 @@ class Fitter {
         Balance balance(d_, b_.mesh, balanced());
         for (int step = 0; step < fit_steps; ++step) {
             limit_positions(stencils, std::span<const Vec3>(control), limit);
-            if (step < balance_steps) balance.measure(control, limit);
+            balance.measure(control, limit);
             tbb::parallel_for(
                 tbb::blocked_range<std::size_t>(0, moving.size(), 2048), [&](const auto& range) {
                     for (std::size_t i = range.begin(); i < range.end(); ++i) {
                         const std::uint32_t v = moving[i];
                         control[v] =
-                            within(leeway_[v], control[v] + (balance.balances(v)
-                                                                 ? out_of_balance(balance, step, v, limit[v])
-                                                                 : lacking(step, v, limit[v])));
+                            within(leeway_[v],
+                                   control[v] + (balance.balances(v) ? out_of_balance(balance, v, limit[v])
+                                                                     : lacking(step, v, limit[v])));
                     }
                 });
         }
         unfold(b_.mesh, groups, leeway_, moving, control);
         return control;
     }
-    Vec3 out_of_balance(const Balance& balance, int step, std::uint32_t v, const Vec3& limit) const {
-        if (step >= balance_steps) return Vec3::Zero();
+    Vec3 out_of_balance(const Balance& balance, std::uint32_t v, const Vec3& limit) const {
         return -balance.mean_outside(v, limit) * freedom_[v].axis.cast<double>();
     }
     /// What the smooth surface lacks at a vertex, as far as it may be given in this step.
